@@ -1,0 +1,100 @@
+#include "engine/core/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+namespace trocar {
+namespace {
+
+/// Closes on every path out.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+std::string reason() {
+  return std::strerror(errno);
+}
+
+Status write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return fail(ErrorCode::kIo, "could not write the file (" + reason() + ")");
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  if (::fsync(fd) != 0 && errno != EINVAL) return fail(ErrorCode::kIo, "could not write the file (" + reason() + ")");
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::filesystem::path& path, std::size_t limit_bytes) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) {
+    const ErrorCode code = errno == ENOENT ? ErrorCode::kNotFound : ErrorCode::kIo;
+    return tl::unexpected(Error(code, "could not open the file (" + reason() + ")").at(path.string()));
+  }
+  std::string text;
+  char buffer[1 << 16];
+  for (;;) {
+    const ssize_t n = ::read(file.get(), buffer, sizeof buffer);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0)
+      return tl::unexpected(Error(ErrorCode::kIo, "could not read the file (" + reason() + ")").at(path.string()));
+    if (n == 0) return text;
+    if (text.size() + static_cast<std::size_t>(n) > limit_bytes) {
+      return tl::unexpected(
+          Error(ErrorCode::kIo, fmt::format("the file is larger than {} bytes", limit_bytes)).at(path.string()));
+    }
+    text.append(buffer, static_cast<std::size_t>(n));
+  }
+}
+
+Status write_file(const std::filesystem::path& path, std::string_view bytes) {
+  const std::filesystem::path temporary = temporary_beside(path);
+  Status status;
+  {
+    const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    status = file.get() < 0 ? Status(fail(ErrorCode::kIo, "could not create the file (" + reason() + ")"))
+                            : write_all(file.get(), bytes);
+  }
+  if (status && ::rename(temporary.c_str(), path.c_str()) != 0) {
+    status = fail(ErrorCode::kIo, "could not put the file in place (" + reason() + ")");
+  }
+  if (status) return status;
+  ::unlink(temporary.c_str());
+  return tl::unexpected(std::move(status).error().at(path.string()));
+}
+
+std::filesystem::path temporary_beside(const std::filesystem::path& path) {
+  std::filesystem::path name = path.stem();
+  name += fmt::format(".{}.part", ::getpid());
+  name += path.extension();
+  return path.parent_path() / name;
+}
+
+std::filesystem::path share_path(std::string_view relative) {
+  if (const char* share = std::getenv("TROCAR_SHARE")) return std::filesystem::path(share) / relative;
+  std::error_code ignored;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const std::filesystem::path installed = program.parent_path().parent_path() / "share" / "trocar" / relative;
+  if (std::filesystem::exists(installed, ignored)) return installed;
+  return std::filesystem::path(TROCAR_SOURCE_DIR) / relative;
+}
+
+}  // namespace trocar

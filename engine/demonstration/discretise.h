@@ -1,0 +1,23 @@
+/// From a continuous path to the agent's lattice: a legal 6-connected sequence of cells.
+#pragma once
+
+#include <vector>
+
+#include "engine/demonstration/demonstration.h"
+#include "engine/spatial/grid.h"
+
+namespace trocar::demonstration {
+
+struct CellPath {
+  std::vector<spatial::CellIndex> cells;  ///< Consecutive cells differ by one action; none twice in a row.
+  double max_error_m = 0.0;               ///< From a sample to the centre of its cell.
+  double mean_error_m = 0.0;
+  int outside = 0;  ///< Samples outside of the lattice, left out.
+};
+
+/// The left tool tip's measured path during `label`, as cells. Diagonal steps are filled with single actions along the
+/// line between the two cell centres, ties broken x, y, z.
+/// Errors: kInvalidArgument if the segment is missing, or fewer than 2 cells remain.
+Result<CellPath> discretise(const Demonstration& demonstration, Segment label, const spatial::Grid& grid);
+
+}  // namespace trocar::demonstration

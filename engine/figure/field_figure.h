@@ -1,0 +1,44 @@
+/// Fields over the lattice as flat figures: one slice or a montage of all, with a colour bar and its unit.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "engine/canvas/canvas.h"
+#include "engine/core/image.h"
+#include "engine/core/result.h"
+#include "engine/learning/field.h"
+#include "engine/plot/colour_map.h"
+
+namespace trocar::figure {
+
+/// Cells with x = 7, say. Axis 0 x, 1 y, 2 z.
+struct Slice {
+  int axis = 2;
+  int index = 11;
+};
+/// "z=11". Errors: kInvalidArgument.
+Result<Slice> slice_from(std::string_view text, const spatial::Grid& grid);
+
+struct FieldFigureOptions {
+  std::optional<Slice> slice;  ///< None: a montage of all slices along z.
+  plot::ColourMap map = plot::ColourMap::kViridis;
+  plot::ScaleKind scale = plot::ScaleKind::kLinear;
+  int width_px = 1000;
+};
+
+/// The colour map and scale that suit the layer (diverging for signed, categorical for classes).
+FieldFigureOptions suggested_options(const learning::Field& field);
+
+/// The cells of one slice as a small picture, one pixel a cell, row 0 the largest vertical coordinate; unknown cells
+/// have alpha 0. Horizontal and vertical axes: x-slice y,z; y-slice x,z; z-slice y,x.
+Image slice_pixels(const learning::Field& field, const Slice& slice, plot::ColourMap map, const plot::Scale& scale);
+
+Image draw_field(const learning::Field& field, const FieldFigureOptions& options);
+
+/// By the extension of `path`: .png is the caller's; .svg, .csv (header row: i,j,k,x_mm,y_mm,z_mm,value; unknown empty)
+/// and .npy (float64, n×n×n, C order, NaN unknown). Errors: kInvalidArgument for another extension; kIo.
+Status save_field(const learning::Field& field, const FieldFigureOptions& options, const std::filesystem::path& path);
+
+}  // namespace trocar::figure

@@ -1,0 +1,52 @@
+/// What can be drawn over the lattice: one number for each cell, unknown where nothing was learned.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/learning/model.h"
+
+namespace trocar::learning {
+
+enum class Layer : std::uint8_t {
+  kReward,
+  kValue,
+  kQPlusX,
+  kQMinusX,
+  kQPlusY,
+  kQMinusY,
+  kQPlusZ,
+  kQMinusZ,
+  kMargin,
+  kVisits,
+  kExplored,
+  kSafe,
+  kBasin,
+  kSteps,
+  kPolicy,
+  kExpert,
+};
+/// As the command line writes them: "reward", "q+x", "margin" …
+std::string_view to_string(Layer layer);
+Result<Layer> layer_from(std::string_view text);
+/// All of them, in the order of the menus.
+const std::vector<Layer>& all_layers();
+
+/// `values` is NaN where the model knows nothing.
+struct Field {
+  Layer layer = Layer::kReward;
+  spatial::Grid grid;
+  std::vector<double> values;  ///< By CellIndex.
+  std::string title;           ///< "Reward θ"
+  std::string unit;            ///< "" if none.
+  bool categorical = false;    ///< Values are small whole numbers with names.
+  std::vector<std::string> categories;
+
+  double low() const;   ///< Smallest finite value, 0 if none.
+  double high() const;  ///< Largest finite value, 1 if none.
+};
+Field field(const Model& model, Layer layer);
+
+}  // namespace trocar::learning

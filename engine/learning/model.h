@@ -1,0 +1,76 @@
+/// What was learned: reward weights θ, Q, V, visits, explored actions, policy; and how.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/core/result.h"
+#include "engine/spatial/grid.h"
+
+namespace trocar::learning {
+
+/// `eg-maxent` is the paper's Algorithm 1, `eg-maxent+` the product's variant, `exact` has no sampling.
+enum class Method : std::uint8_t { kEgMaxent, kEgMaxentPlus, kExact };
+std::string_view to_string(Method method);
+Result<Method> method_from(std::string_view text);
+
+/// Table I's values are the defaults; the rest is in ARCHITECTURE.md, "Choices where the paper is silent".
+struct TrainOptions {
+  Method method = Method::kEgMaxent;
+  double theta_rate = 0.3;  ///< β, equation (1).
+  double q_rate = 0.3;      ///< α, equation (2).
+  double discount = 0.99;   ///< γ, equation (2).
+  double epsilon = 0.1;     ///< ε, 0 … 0.1 in the paper.
+  int episodes = 10000;     ///< N.
+  std::uint64_t seed = 1;
+  int safe_radius = 4;           ///< Chebyshev, in cells.
+  int start_spread = 3;          ///< Training starts within ± this many cells (eg-maxent+, exact).
+  double theta_prior = -6.0;     ///< θ₀ of `exact`.
+  double regularisation = 0.02;  ///< λ of `exact`.
+};
+
+/// One expert trajectory as cells, first to last; consecutive cells differ by one action.
+using CellSequence = std::vector<spatial::CellIndex>;
+
+/// Immutable. Vectors are by CellIndex; `q`, 6 for each cell in the order of `spatial::Action`.
+struct Model {
+  TrainOptions options;
+  spatial::Grid grid;
+  std::vector<CellSequence> experts;
+  spatial::CellIndex start;  ///< First cell of the first expert.
+  spatial::CellIndex goal;   ///< Its last cell.
+  spatial::CellSet safe;
+  std::vector<double> theta;  ///< Reward of each cell.
+  std::vector<double> q;
+  std::vector<double> value;
+  std::vector<std::uint32_t> visits;  ///< Times entered in training; rounded expectation × 1000 for `exact`.
+  std::vector<std::uint8_t> tried;    ///< Bit a is set if action a was tried in the cell.
+  std::vector<double> curve;  ///< Per epoch: feature mismatch ‖f − D‖₁ / ‖f‖₁ (mean of the last 100 episodes), or of
+                              ///< the solver's iteration.
+  double seconds = 0.0;  ///< Wall time of the training; not part of the hash.
+
+  /// Of everything but `seconds`: the same for the same seed on every run and thread count.
+  std::uint64_t hash() const;
+  double q_at(spatial::CellIndex cell, spatial::Action action) const {
+    return q[6 * static_cast<std::size_t>(cell.value) + static_cast<std::size_t>(action)];
+  }
+};
+
+/// Trains; the first expert gives start and goal. Reports the fraction done and stops when cancelled.
+/// Errors: kInvalidArgument naming the option or the sequence at fault; kCancelled.
+Result<Model> train(const spatial::Grid& grid, const std::vector<CellSequence>& experts, const TrainOptions& options,
+                    Progress& progress);
+
+/// How much of the state space has been explored (paper, section V.A): the goal is left out.
+struct Exploration {
+  int fully_explored = 0;  ///< All six actions tried.
+  int partly_explored = 0;
+  int fully_unexplored = 0;  ///< None tried.
+};
+Exploration exploration(const Model& model);
+
+}  // namespace trocar::learning

@@ -1,0 +1,16 @@
+/// Pictures in files (PNG), through OpenCV, which is loaded when first needed.
+#pragma once
+
+#include <filesystem>
+
+#include "engine/core/image.h"
+#include "engine/core/result.h"
+
+namespace trocar::media {
+
+/// Writes atomically. Errors: kInvalidArgument for an empty picture; kIo.
+Status write_png(const std::filesystem::path& path, const Image& image);
+/// Errors: kNotFound, kCorrupt.
+Result<Image> read_picture(const std::filesystem::path& path);
+
+}  // namespace trocar::media

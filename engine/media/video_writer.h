@@ -1,0 +1,62 @@
+/// Films in files (H.264 in MP4 by default), through OpenCV, which is loaded when first needed.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/image.h"
+#include "engine/core/result.h"
+
+namespace trocar::media {
+
+enum class Codec { kAuto, kH264, kMpeg4, kFfv1, kMotionJpeg };
+std::string_view to_string(Codec codec);
+Result<Codec> codec_from(std::string_view text);
+
+/// What this machine can write, best first. For `trocar doctor`.
+std::vector<Codec> available_codecs();
+
+struct VideoOptions {
+  int width = 1280;  ///< Even.
+  int height = 720;  ///< Even.
+  double fps = 30.0;
+  Codec codec = Codec::kAuto;  ///< H.264, else MPEG-4, else Motion JPEG; the extension must fit.
+};
+
+/// Writes beside the target and renames in `finish()`; destroyed before that, it leaves nothing behind. Encodes in a
+/// thread of its own behind a bounded queue. Threads: one caller.
+class VideoWriter {
+ public:
+  /// Errors: kInvalidArgument (odd or zero size, fps, extension unfit), kUnsupported (codec), kIo (path).
+  static Result<VideoWriter> open(const std::filesystem::path& path, const VideoOptions& options);
+  ~VideoWriter();
+  VideoWriter(VideoWriter&&) noexcept;
+  VideoWriter& operator=(VideoWriter&&) noexcept;
+
+  /// Errors: kInvalidArgument for a picture of another size; kIo when encoding failed (disk full).
+  Status add(Image frame);
+  /// Errors: kIo. Checks that the file is there and not empty.
+  Status finish();
+  Codec codec() const;
+
+ private:
+  struct Impl;
+  explicit VideoWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Size, frame rate and number of frames of a film, by decoding it all; for tests and checks.
+struct VideoInfo {
+  int width = 0;
+  int height = 0;
+  double fps = 0.0;
+  int frames = 0;
+};
+Result<VideoInfo> probe_video(const std::filesystem::path& path);
+/// Frame `index` of a film.
+Result<Image> read_video_frame(const std::filesystem::path& path, int index);
+
+}  // namespace trocar::media

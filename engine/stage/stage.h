@@ -1,0 +1,79 @@
+/// From state to what is seen: the peg board, arms, blocks, paths and fields as a scene.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/image.h"
+#include "engine/core/result.h"
+#include "engine/demonstration/demonstration.h"
+#include "engine/kinematics/psm.h"
+#include "engine/learning/field.h"
+#include "engine/plot/colour_map.h"
+#include "engine/scene/scene.h"
+#include "engine/simulation/world_state.h"
+#include "engine/spatial/grid.h"
+
+namespace trocar::stage {
+
+/// What moves: both arms and the blocks.
+struct Pose3d {
+  std::array<kinematics::Joints, 2> joints{};
+  std::array<double, 2> jaw_rad{};
+  std::array<spatial::Pose, peg_board::kBlockCount> blocks;
+};
+Pose3d pose_of(const simulation::WorldState& state);
+Pose3d pose_of(const demonstration::Sample& sample);
+
+/// A line through space, drawn as a tube.
+struct PathLayer {
+  std::vector<Eigen::Vector3d> points;  ///< W, metres.
+  std::vector<Rgba> colours;            ///< One for all, or one for each point.
+  double radius_m = 0.0005;
+};
+
+/// A field as slices (cell coordinates; −1 for none) or as voxels above a threshold.
+struct FieldLayer {
+  std::shared_ptr<const learning::Field> field;
+  std::array<int, 3> slices{-1, -1, -1};  ///< x, y, z.
+  bool voxels = false;
+  double voxel_threshold = 0.9;  ///< Position on the scale, 0 … 1, above which a voxel is drawn.
+  plot::ColourMap map = plot::ColourMap::kViridis;
+  plot::Scale scale;
+  float opacity = 0.85F;
+};
+
+struct StageOptions {
+  bool arms = true;
+  bool lattice_frame = false;  ///< The edges of the learning cube.
+  bool scale_bar = true;       ///< 10 mm on the board's edge, with its label.
+  bool labels = true;          ///< Peg numbers, axes.
+  int highlighted_block = -1;
+};
+
+/// The meshes of `assets`, loaded once. Threads: immutable after `load`; any.
+class Stage {
+ public:
+  /// Errors: kNotFound, kCorrupt naming the mesh.
+  static Result<std::shared_ptr<const Stage>> load();
+
+  scene::Scene scene(const Pose3d& pose, const std::vector<PathLayer>& paths, const std::vector<FieldLayer>& fields,
+                     const StageOptions& options) const;
+
+ private:
+  struct Meshes;
+  std::shared_ptr<const Meshes> meshes_;
+};
+
+/// The left tip's gated path, coloured by segment (Okabe–Ito).
+PathLayer path_of(const demonstration::Demonstration& demonstration, kinematics::ArmSide side);
+Rgba segment_colour(demonstration::Segment segment);
+
+/// Draws the scene's labels over the picture that `camera` made of it.
+Image with_labels(const Image& picture, const scene::Scene& scene, const scene::Camera& camera);
+
+}  // namespace trocar::stage

@@ -1,0 +1,71 @@
+/// One bimanual transfer in the simulator from the first motion to the placed block, recorded as it happens.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/core/result.h"
+#include "engine/demonstration/recording.h"
+#include "engine/simulation/world.h"
+#include "engine/trial/operator_input.h"
+
+namespace trocar::trial {
+
+enum class Skill { kExpert, kTrained, kNovice };
+std::string_view to_string(Skill skill);
+Result<Skill> skill_from(std::string_view text);
+
+struct TransferOptions {
+  Skill skill = Skill::kExpert;
+  std::uint64_t seed = 1;
+  int block = 0;  ///< 0 … 5.
+  int goal = 0;   ///< 0 … 5.
+  double time_limit_s = 120.0;
+};
+
+/// World, both scripted operators (user and assistant), the task's segments and the recorder, stepped together.
+/// Deterministic: the same options give the same samples and hashes. Threads: one at a time.
+class TransferSession {
+ public:
+  /// Errors: kInvalidArgument for a block or goal outside of 0 … 5.
+  static Result<TransferSession> create(const TransferOptions& options);
+  ~TransferSession();
+  TransferSession(TransferSession&&) noexcept;
+  TransferSession& operator=(TransferSession&&) noexcept;
+
+  const demonstration::Provenance& provenance() const;
+  const std::string& initial_world() const;
+
+  /// One tick. No effect once `done()`.
+  void step();
+  bool done() const;
+  const simulation::WorldState& state() const;
+  demonstration::Segment segment() const;
+  demonstration::Authority authority() const;
+  demonstration::Outcome outcome() const;
+  bool placed() const;
+
+  /// What was recorded since the last call, in order.
+  std::vector<demonstration::Sample> take_samples();
+  std::vector<demonstration::HashMark> take_marks();
+
+ private:
+  struct Impl;
+  explicit TransferSession(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Re-simulates the recorded setpoints from the recorded initial world and compares the state hashes.
+struct ReplayResult {
+  bool verified = false;
+  std::optional<double> diverged_at_s;  ///< Time of the first mark that differs.
+  bool placed = false;                  ///< As found in the re-simulation.
+};
+/// Errors: kInvalidArgument if the recording has no initial world (imports) or no marks; kCancelled.
+Result<ReplayResult> replay(const demonstration::Recording& recording, Progress& progress);
+
+}  // namespace trocar::trial

@@ -1,0 +1,124 @@
+/// Everything a person can ask of the workbench, as data: edits, actions and changes of view, in one variant.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/learning/field.h"
+#include "engine/learning/model.h"
+#include "engine/plot/colour_map.h"
+#include "engine/scene/scene.h"
+#include "engine/trial/transfer_session.h"
+#include "engine/workbench/edit.h"
+
+namespace trocar::workbench {
+
+using JobId = Id<struct JobTag>;
+
+struct OpenProject {
+  std::filesystem::path path;
+  bool create = false;
+};
+struct CommitEdit {
+  Edit edit;
+};
+struct Undo {};
+struct Redo {};
+struct GoToHistory {
+  std::int64_t node = 0;
+};
+
+struct SelectDemonstration {
+  DemonstrationId id;
+};
+struct SelectModel {
+  ModelId id;
+};
+
+struct SetPlayhead {
+  double t_s = 0.0;
+};  ///< Of the selected demonstration; kept within its gates.
+struct Play {
+  double speed = 1.0;
+};  ///< 0 pauses.
+
+/// The 3-D view: where from, how large, what over it.
+struct SetCamera {
+  scene::OrbitCamera orbit;
+};
+struct SetCameraPreset {
+  scene::CameraPreset preset = scene::CameraPreset::kPaper;
+};
+struct SetViewSize {
+  int width = 960;
+  int height = 540;
+};
+struct FieldSettings {
+  bool visible = true;
+  learning::Layer layer = learning::Layer::kReward;
+  std::array<int, 3> slices{-1, -1, -1};  ///< −1: none.
+  bool voxels = false;
+  plot::ScaleKind scale = plot::ScaleKind::kLinear;
+  float opacity = 0.8F;
+  bool operator==(const FieldSettings&) const = default;
+};
+struct SetField {
+  FieldSettings settings;
+};
+struct RolloutSettings {
+  int around = 3;      ///< Starts within ± this many cells.
+  bool ghosts = true;  ///< Draw them in the 3-D view.
+  int ghost_count = 60;
+  bool operator==(const RolloutSettings&) const = default;
+};
+struct SetRollouts {
+  RolloutSettings settings;
+};
+
+/// Runs the scripted operators live at 1 kHz in the simulation thread and records; `realtime` false: as fast as it
+/// goes.
+struct RecordScripted {
+  trial::TransferOptions options;
+  std::string name;
+  bool realtime = true;
+};
+struct StopRecording {
+  bool keep = true;
+};
+
+struct TrainModel {
+  std::vector<DemonstrationId> demonstrations;
+  demonstration::Segment segment = demonstration::Segment::kA;
+  learning::TrainOptions options;
+  int grid = 22;
+  std::string name;  ///< Empty: made from method and segment.
+};
+struct VerifyReplay {
+  DemonstrationId demonstration;
+};
+struct ExportVideo {
+  std::vector<DemonstrationId> demonstrations;  ///< One, or two side by side.
+  std::filesystem::path path;
+  int width = 1280;
+  int height = 720;
+  double fps = 30.0;
+};
+struct ExportField {
+  ModelId model;
+  learning::Layer layer = learning::Layer::kReward;
+  std::string slice;  ///< "z=11"; empty: montage.
+  std::filesystem::path path;
+};
+struct CancelJob {
+  JobId id;
+};
+
+using Command =
+    std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, SelectDemonstration, SelectModel, SetPlayhead, Play,
+                 SetCamera, SetCameraPreset, SetViewSize, SetField, SetRollouts, RecordScripted, StopRecording,
+                 TrainModel, VerifyReplay, ExportVideo, ExportField, CancelJob>;
+
+}  // namespace trocar::workbench

@@ -1,0 +1,65 @@
+/// Every edit of the project as one variant, and the pure function that applies it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "engine/demonstration/edits.h"
+#include "engine/workbench/project.h"
+
+namespace trocar::workbench {
+
+/// Puts a finished recording into the project as a demonstration; its id is the journal row's id.
+struct AddDemonstration {
+  static constexpr std::string_view kName = "add demonstration";
+  demonstration::RecordingId recording;
+  std::string name;
+};
+
+struct RemoveDemonstration {
+  static constexpr std::string_view kName = "remove demonstration";
+  DemonstrationId demonstration;
+};
+
+struct EditDemonstration {
+  static constexpr std::string_view kName = "edit demonstration";
+  DemonstrationId demonstration;
+  demonstration::Edit edit;
+};
+
+/// Puts a stored model into the project; its id is the journal row's id.
+struct AddModel {
+  static constexpr std::string_view kName = "add model";
+  std::int64_t object = 0;  ///< In the store.
+};
+
+struct RemoveModel {
+  static constexpr std::string_view kName = "remove model";
+  ModelId model;
+};
+
+using Edit = std::variant<AddDemonstration, RemoveDemonstration, EditDemonstration, AddModel, RemoveModel>;
+
+/// Where `apply` finds the immutable blobs that edits name by id.
+class BlobSource {
+ public:
+  virtual ~BlobSource() = default;
+  virtual Result<std::shared_ptr<const demonstration::Recording>> recording(demonstration::RecordingId id) const = 0;
+  /// An entry without id; the edit gives it one.
+  virtual Result<ModelEntry> model(std::int64_t object) const = 0;
+};
+
+/// Returns the edited project; `project` is untouched. `new_id` is the id for what the edit adds.
+/// Errors: kNotFound for an unknown id; those of `demonstration::apply`.
+Result<std::shared_ptr<const Project>> apply(const Project& project, const Edit& edit, std::int64_t new_id,
+                                             const BlobSource& blobs);
+
+std::string_view name_of(const Edit& edit);
+/// For the history: "Trim Expert 1 to 0.40–12.30 s".
+std::string describe(const Edit& edit, const Project& before);
+std::string to_json(const Edit& edit);
+Result<Edit> edit_from_json(std::string_view name, std::string_view json);
+
+}  // namespace trocar::workbench

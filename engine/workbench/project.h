@@ -1,0 +1,38 @@
+/// The document: what a project holds at one point of its history. Immutable, shared piece by piece.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/id.h"
+#include "engine/demonstration/demonstration.h"
+#include "engine/learning/model.h"
+
+namespace trocar::workbench {
+
+using demonstration::DemonstrationId;
+using ModelId = Id<struct ModelTag>;
+
+/// A trained model in the project, and what it came from.
+struct ModelEntry {
+  ModelId id;
+  std::string name;
+  demonstration::Segment segment = demonstration::Segment::kA;
+  std::shared_ptr<const learning::Model> model;
+  std::vector<DemonstrationId> demonstrations;
+  std::vector<std::uint64_t> demonstration_hashes;  ///< As they were when it was trained.
+  std::string created;                              ///< ISO 8601.
+};
+
+struct Project {
+  std::map<DemonstrationId, std::shared_ptr<const demonstration::Demonstration>> demonstrations;
+  std::map<ModelId, std::shared_ptr<const ModelEntry>> models;
+
+  /// True if a demonstration of the model has been edited or removed since training.
+  bool stale(const ModelEntry& model) const;
+  std::uint64_t hash() const;
+};
+
+}  // namespace trocar::workbench

@@ -1,0 +1,101 @@
+/// A project on disk with its whole history: open, edit, undo, redo, record; every change is safe when it returns.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/clock.h"
+#include "engine/core/diagnostics.h"
+#include "engine/core/result.h"
+#include "engine/demonstration/recording.h"
+#include "engine/store/project_store.h"
+#include "engine/workbench/edit.h"
+#include "engine/workbench/project.h"
+
+namespace trocar::workbench {
+
+/// A node of the history tree.
+struct HistoryNode {
+  std::int64_t id = 0;
+  std::int64_t parent = 0;
+  std::string name;
+  std::string description;
+  std::string time;
+};
+
+/// A recording in the making: samples go in, and are on disk at most 0.25 s later. Dropped unfinished, what was
+/// written stays and is recovered when the project is next opened.
+class RecordingWriter;
+
+/// Threads: one at a time (the main thread).
+class ProjectFile {
+ public:
+  static Result<ProjectFile> create(const std::filesystem::path& path, std::shared_ptr<const Clock> clock);
+  /// Rebuilds the document at HEAD. Recordings that were cut off are added as recovered demonstrations ("Recovered
+  /// (14.7 s)"), each with a warning. Errors: as `store::ProjectStore::open`, kCorrupt for a journal that does not
+  /// apply.
+  static Result<ProjectFile> open(const std::filesystem::path& path, std::shared_ptr<const Clock> clock,
+                                  Diagnostics& diagnostics);
+  ~ProjectFile();
+  ProjectFile(ProjectFile&&) noexcept;
+  ProjectFile& operator=(ProjectFile&&) noexcept;
+
+  std::shared_ptr<const Project> project() const;
+
+  /// Applies and commits; returns the new node's id (also the id of what was added).
+  Result<std::int64_t> commit(const Edit& edit);
+  /// Errors: kInvalidArgument if there is nothing to undo or redo.
+  Status undo();
+  /// Towards the newest child, or the branch that was last left by undo.
+  Status redo();
+  bool undoable() const;
+  bool redoable() const;
+  Status go_to(std::int64_t node);
+  std::int64_t head() const;
+  const std::vector<HistoryNode>& history() const;
+
+  /// Errors: kIo (disk full).
+  Result<RecordingWriter> begin_recording(const demonstration::Provenance& provenance,
+                                          const std::string& initial_world);
+  /// Stores a whole recording (imports) and returns its id; add it with AddDemonstration.
+  Result<demonstration::RecordingId> store_recording(const demonstration::Recording& recording);
+  /// Stores a trained model; add it with AddModel.
+  Result<std::int64_t> store_model(const ModelEntry& entry);
+
+  Status set_setting(const std::string& key, const std::string& value);
+  Result<std::optional<std::string>> setting(const std::string& key) const;
+  std::int64_t size_bytes() const;
+  const std::filesystem::path& path() const;
+
+ private:
+  struct Impl;
+  explicit ProjectFile(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+  friend class RecordingWriter;
+};
+
+/// Precondition: outlived by its project file, which is not moved meanwhile. Threads: that of the project file.
+class RecordingWriter {
+ public:
+  ~RecordingWriter();
+  RecordingWriter(RecordingWriter&&) noexcept;
+  RecordingWriter& operator=(RecordingWriter&&) noexcept;
+
+  /// Commits a chunk each 50 samples (0.25 s).
+  Status add(const demonstration::Sample& sample);
+  Status mark(const demonstration::HashMark& mark);
+  /// Writes the rest; the recording can now be added to the project.
+  Result<demonstration::RecordingId> finish(demonstration::Outcome outcome, bool placed);
+  demonstration::RecordingId id() const;
+
+ private:
+  friend class ProjectFile;
+  struct Impl;
+  explicit RecordingWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace trocar::workbench
