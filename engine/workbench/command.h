@@ -13,10 +13,9 @@
 #include "engine/scene/scene.h"
 #include "engine/trial/transfer_session.h"
 #include "engine/workbench/edit.h"
+#include "engine/workbench/job_view.h"
 
 namespace trocar::workbench {
-
-using JobId = Id<struct JobTag>;
 
 struct OpenProject {
   std::filesystem::path path;

@@ -1,7 +1,6 @@
 /// The application without a face: one object that the window and the command line drive alike.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -12,51 +11,20 @@
 #include "engine/core/clock.h"
 #include "engine/core/image.h"
 #include "engine/demonstration/recording.h"
-#include "engine/learning/field.h"
-#include "engine/learning/rollout.h"
-#include "engine/simulation/world_state.h"
 #include "engine/workbench/command.h"
+#include "engine/workbench/insight.h"
+#include "engine/workbench/job_view.h"
+#include "engine/workbench/live_runner.h"
 #include "engine/workbench/project.h"
 #include "engine/workbench/project_file.h"
 
 namespace trocar::workbench {
-
-enum class JobState { kQueued, kRunning, kDone, kFailed, kCancelled };
-struct JobView {
-  JobId id;
-  std::string title;  ///< "Train exact on segment A"
-  JobState state = JobState::kQueued;
-  double fraction = 0.0;
-  std::string message;  ///< What it found, or the error.
-};
 
 enum class Severity { kInfo, kWarning, kError };
 struct LogLine {
   std::string time;  ///< "12:03:41"
   Severity severity = Severity::kInfo;
   std::string text;
-};
-
-/// What the selected model says, worked out once when it is selected or trained.
-struct ModelInsight {
-  std::shared_ptr<const ModelEntry> entry;
-  bool stale = false;
-  learning::Exploration exploration;
-  std::shared_ptr<const learning::Field> field;  ///< Of the layer in `FieldSettings`.
-  std::shared_ptr<const std::vector<std::uint8_t>> policy;
-  std::shared_ptr<const learning::Basin> basin;
-  std::array<learning::RolloutSummary, 5> around;  ///< k = 1 … 5.
-  learning::RolloutSummary all;
-  std::vector<learning::Rollout> ghosts;  ///< For `RolloutSettings`.
-};
-
-/// A transfer that is being recorded now.
-struct LiveView {
-  simulation::WorldState world;
-  demonstration::Segment segment = demonstration::Segment::kA;
-  double elapsed_s = 0.0;
-  std::int64_t samples = 0;
-  double realtime_factor = 0.0;
 };
 
 enum class LoadState { kNone, kLoading, kReady, kFailed };
@@ -81,7 +49,8 @@ struct WorkbenchState {
   std::optional<scene::CameraPreset> camera_preset;  ///< Until the view is orbited.
   FieldSettings field;
   RolloutSettings rollouts;
-  std::optional<ModelInsight> insight;
+  std::shared_ptr<const ModelInsight> insight;  ///< Of the selected model; null until worked out.
+  bool insight_pending = false;
   std::optional<LiveView> live;
 
   std::shared_ptr<const Image> picture;  ///< The newest 3-D view; null until the first.

@@ -1,0 +1,47 @@
+#include "engine/workbench/jobs/train_job.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "engine/demonstration/discretise.h"
+
+namespace trocar::workbench {
+
+std::string model_name(const TrainModel& request) {
+  std::string name =
+      fmt::format("{} {}", learning::to_string(request.options.method), demonstration::letter(request.segment));
+  if (request.options.method != learning::Method::kExact) name += fmt::format(" ε={:g}", request.options.epsilon);
+  return name;
+}
+
+Result<ModelEntry> train_model(const Project& project, const TrainModel& request, Progress& progress) {
+  constexpr int kMostCells = 176;
+  if (request.grid < 4 || request.grid > kMostCells) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("the grid must have 4 to {} cells a side, not {}", kMostCells, request.grid));
+  }
+  if (request.demonstrations.empty()) return fail(ErrorCode::kInvalidArgument, "no demonstration to learn from");
+  const spatial::Grid grid = spatial::Grid::with_cells(request.grid);
+  ModelEntry entry;
+  std::vector<learning::CellSequence> experts;
+  for (const DemonstrationId id : request.demonstrations) {
+    const auto found = project.demonstrations.find(id);
+    if (found == project.demonstrations.end()) {
+      return fail(ErrorCode::kNotFound, fmt::format("there is no demonstration {}", id.value));
+    }
+    auto path = demonstration::discretise(*found->second, request.segment, grid);
+    if (!path) return tl::unexpected(std::move(path).error().in("learn from \"" + found->second->name + "\""));
+    experts.push_back(std::move(path->cells));
+    entry.demonstrations.push_back(id);
+    entry.demonstration_hashes.push_back(found->second->hash());
+  }
+  TROCAR_ASSIGN_OR_RETURN(learning::Model model, learning::train(grid, experts, request.options, progress));
+  entry.name = request.name.empty() ? model_name(request) : request.name;
+  entry.segment = request.segment;
+  entry.model = std::make_shared<const learning::Model>(std::move(model));
+  return entry;
+}
+
+}  // namespace trocar::workbench

@@ -1,0 +1,40 @@
+#include "engine/workbench/studio.h"
+
+#include <utility>
+
+#include "engine/figure/field_figure.h"
+#include "engine/simulation/world.h"
+
+namespace trocar::workbench {
+
+Result<Studio> Studio::create() {
+  TROCAR_ASSIGN_OR_RETURN(std::shared_ptr<const stage::Stage> stage, stage::Stage::load());
+  TROCAR_ASSIGN_OR_RETURN(render::Renderer renderer, render::Renderer::create());
+  return Studio(std::move(stage), std::move(renderer));
+}
+
+Result<Image> Studio::picture(const ViewRequest& request) {
+  static const std::vector<stage::PathLayer> kNoPaths;
+  const scene::Scene scene =
+      stage_->scene(request.pose, request.paths ? *request.paths : kNoPaths, request.fields, request.options);
+  TROCAR_ASSIGN_OR_RETURN(Image image, renderer_.draw(scene, request.camera, request.render));
+  if (scene.labels.empty()) return image;
+  return stage::with_labels(image, scene, request.camera);
+}
+
+stage::Pose3d ready_stage() {
+  return stage::pose_of(simulation::World().state());
+}
+
+stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, const FieldSettings& settings) {
+  stage::FieldLayer layer;
+  layer.map = figure::suggested_options(*field).map;
+  layer.scale = plot::fit_scale(settings.scale, field->values, layer.map == plot::ColourMap::kDiverging);
+  layer.slices = settings.slices;
+  layer.voxels = settings.voxels;
+  layer.opacity = settings.opacity;
+  layer.field = std::move(field);
+  return layer;
+}
+
+}  // namespace trocar::workbench

@@ -1,0 +1,48 @@
+/// Where pictures are made: the stage and a renderer, together in one thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/core/image.h"
+#include "engine/core/result.h"
+#include "engine/render/renderer.h"
+#include "engine/scene/scene.h"
+#include "engine/stage/stage.h"
+#include "engine/workbench/command.h"
+
+namespace trocar::workbench {
+
+/// Everything that one picture depends on; equal requests give equal pixels.
+struct ViewRequest {
+  stage::Pose3d pose;
+  std::shared_ptr<const std::vector<stage::PathLayer>> paths;  ///< May be null.
+  std::vector<stage::FieldLayer> fields;
+  stage::StageOptions options;
+  scene::Camera camera;
+  render::RenderOptions render;
+};
+
+/// Threads: created, used and destroyed in one thread, which holds no other GL context.
+class Studio {
+ public:
+  /// Errors: those of `stage::Stage::load` and `render::Renderer::create`.
+  static Result<Studio> create();
+
+  Result<Image> picture(const ViewRequest& request);
+
+ private:
+  Studio(std::shared_ptr<const stage::Stage> stage, render::Renderer renderer)
+      : stage_(std::move(stage)), renderer_(std::move(renderer)) {}
+
+  std::shared_ptr<const stage::Stage> stage_;
+  render::Renderer renderer_;
+};
+
+/// The scene before anything is recorded: arms at the ready pose, every block on its start peg.
+stage::Pose3d ready_stage();
+
+/// The field as the settings want it drawn, with the map that suits its layer.
+stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, const FieldSettings& settings);
+
+}  // namespace trocar::workbench
