@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/kinematics/chain.h"
+#include "engine/spatial/units.h"
+
+namespace trocar::kinematics {
+namespace {
+
+constexpr double kTurn_rad = 2.0 * std::numbers::pi;
+constexpr int kInsertion = 2;
+
+/// An angle in (−π, π].
+double wrapped(double angle_rad) {
+  if (angle_rad > std::numbers::pi) return angle_rad - kTurn_rad;
+  if (angle_rad <= -std::numbers::pi) return angle_rad + kTurn_rad;
+  return angle_rad;
+}
+
+/// How far a joint is outside of its limits, ≥ 0.
+double excess(const JointLimit& limit, double value) {
+  return std::max({0.0, limit.low - value, value - limit.high});
+}
+
+/// The worst excess of all joints; a millimetre of insertion counts like a degree.
+double worst_excess(const PsmModel& model, const Joints& q) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const double scale = i == kInsertion ? spatial::kRadiansPerDegree / spatial::kMetresPerMillimetre : 1.0;
+    worst = std::max(worst, scale * excess(model.limits[i], q[i]));
+  }
+  return worst;
+}
+
+/// What the branches have in common: the wrist-yaw joint and two of its axes, in B.
+struct Wrist {
+  Eigen::Vector3d p;   ///< Origin of frame 6.
+  Eigen::Vector3d x6;  ///< Its x axis.
+  Eigen::Vector3d z6;  ///< The wrist-yaw joint's axis.
+};
+
+/// One branch: `x5` is the direction from the wrist-pitch to the wrist-yaw joint, `shaft` +1 if the wrist lies ahead of
+/// the remote centre and −1 if it lies behind. Nothing if the wrist-pitch joint is at the remote centre.
+bool solve_branch(const Wrist& wrist, const Eigen::Vector3d& x5, double shaft, Joints& q) {
+  const Eigen::Vector3d c = wrist.p - kWrist_m * x5;
+  const double reach = c.norm();
+  if (!(reach > 1e-9)) return false;
+  const Eigen::Vector3d along = shaft / reach * c;
+  const double horizontal = std::hypot(along.x(), along.z());
+  q[0] = horizontal > 0.0 ? std::atan2(along.x(), -along.z()) : 0.0;
+  q[1] = -std::atan2(along.y(), horizontal);
+  q[2] = shaft * reach + kInsertionOffset_m;
+  const Eigen::Matrix3d R_B3 = frame_after(q, 3).R;
+  const Eigen::Vector3d z5 = x5.cross(wrist.z6);
+  q[3] = std::atan2(-z5.dot(R_B3.col(0)), z5.dot(R_B3.col(1)));
+  const Eigen::Vector3d x4 = std::cos(q[3]) * R_B3.col(0) + std::sin(q[3]) * R_B3.col(1);
+  const double theta5 = std::atan2(-x5.dot(R_B3.col(2)), x5.dot(x4));
+  const double theta6 = std::atan2(-wrist.x6.dot(z5), wrist.x6.dot(x5));
+  q[4] = wrapped(theta5 - kChain[4].theta_rad);
+  q[5] = wrapped(theta6 - kChain[5].theta_rad);
+  return true;
+}
+
+std::string amount(int joint, double value) {
+  return joint == kInsertion ? fmt::format("{:.1f} mm", spatial::to_mm(value))
+                             : fmt::format("{:.1f}°", spatial::to_degrees(value));
+}
+
+}  // namespace
+
+Status check_limits(const PsmModel& model, const Joints& q) {
+  for (int joint = 0; joint < kJointCount; ++joint) {
+    const auto i = static_cast<std::size_t>(joint);
+    if (!std::isfinite(q[i])) {
+      return fail(ErrorCode::kInvalidArgument, fmt::format("the {} joint's value is not finite", joint_name(joint)));
+    }
+    const JointLimit& limit = model.limits[i];
+    const double beyond = excess(limit, q[i]);
+    if (beyond == 0.0) continue;
+    const double bound = q[i] < limit.low ? limit.low : limit.high;
+    return fail(ErrorCode::kOutOfReach, fmt::format("the {} joint would be {} beyond its limit of {}",
+                                                    joint_name(joint), amount(joint, beyond), amount(joint, bound)));
+  }
+  return {};
+}
+
+Result<Joints> inverse(const PsmModel& model, const spatial::Pose& X_WT) {
+  if (!X_WT.finite()) return fail(ErrorCode::kInvalidArgument, "the tool's pose is not finite");
+  if (std::abs(X_WT.q.norm() - 1.0) > 1e-6) {
+    return fail(ErrorCode::kInvalidArgument, "the tool's orientation is not a unit quaternion");
+  }
+  const spatial::Pose X_BT = model.X_WB.inverse() * X_WT;
+  const Eigen::Matrix3d R_BT = X_BT.rotation();
+  const Wrist wrist{X_BT.p - kTipFromWrist_m * R_BT.col(2), -R_BT.col(1), -R_BT.col(0)};
+  const Eigen::Vector3d across = wrist.p - wrist.z6 * wrist.z6.dot(wrist.p);
+  const double distance = across.norm();
+  if (!(distance > 1e-9)) {
+    return fail(ErrorCode::kOutOfReach, "the wrist yaw joint's axis would pass through the remote centre");
+  }
+  const Eigen::Vector3d u = across / distance;
+  Joints best{};
+  double least = std::numeric_limits<double>::infinity();
+  for (const double side : {1.0, -1.0}) {
+    for (const double shaft : {1.0, -1.0}) {
+      Joints q{};
+      if (!solve_branch(wrist, side * u, shaft, q)) continue;
+      const double beyond = worst_excess(model, q);
+      if (beyond < least) {
+        least = beyond;
+        best = q;
+      }
+      if (beyond == 0.0) return best;
+    }
+  }
+  if (!std::isfinite(least)) {
+    return fail(ErrorCode::kOutOfReach, "the wrist pitch joint would be at the remote centre");
+  }
+  return check_limits(model, best).map([&] { return best; });
+}
+
+}  // namespace trocar::kinematics
