@@ -5,9 +5,13 @@
 
 namespace trocar::control {
 
-/// p = p₀ + s R_WD (m − m₀), R = R_m R_m0ᵀ R_p0, from the moment of engagement on. The hand's frame D is the display:
-/// x right, y up, z towards the operator; R_WD turns it into the board frame, so that a push to the right moves the
-/// tool right in the picture.
+/// The range that the menu offers.
+constexpr double kSmallestScale = 0.1;
+constexpr double kLargestScale = 0.5;
+
+/// p = p₀ + s R_WD (m − m₀), R = R_m R_m0ᵀ R_p0, from the moment of engagement on, both hand rotations seen from W
+/// (R_m = R_WD R_DH). The hand's frame D is the display: x right, y up, z towards the operator; R_WD turns it into the
+/// board frame, so that a push to the right moves the tool right in the picture. Threads: one at a time.
 class ToolMapping {
  public:
   explicit ToolMapping(const Eigen::Quaterniond& R_WD, double scale = 0.2) : R_WD_(R_WD), scale_(scale) {}
@@ -16,7 +20,7 @@ class ToolMapping {
   void engage(const spatial::Pose& X_DH, const spatial::Pose& X_WT);
   void release() { engaged_ = false; }
   bool engaged() const { return engaged_; }
-  /// Scale 0.1 … 0.5; re-engages at the last output, so nothing jumps.
+  /// Clamped to 0.1 … 0.5; re-engages with the hand at X_DH where the tool is then, so nothing jumps.
   void set_scale(double scale, const spatial::Pose& X_DH);
   /// The tool's setpoint for this hand; the last one while released.
   spatial::Pose map(const spatial::Pose& X_DH);
@@ -29,6 +33,7 @@ class ToolMapping {
   bool engaged_ = false;
   spatial::Pose hand_at_engagement_;
   spatial::Pose tool_at_engagement_;
+  Eigen::Quaterniond R_HT_ = Eigen::Quaterniond::Identity();  ///< Offset of the tool from the hand, kept while engaged.
   spatial::Pose output_;
 };
 
