@@ -1,0 +1,152 @@
+#include "engine/workbench/view_director.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace trocar::workbench {
+namespace {
+
+constexpr double kSettle_s = 0.150;
+constexpr double kLivePeriod_s = 1.0 / 15.0;
+
+Rgba ghost_colour(learning::RolloutEnd end) {
+  switch (end) {
+    case learning::RolloutEnd::kArrives:
+      return plot::category(2);
+    case learning::RolloutEnd::kLoops:
+      return plot::category(0);
+    case learning::RolloutEnd::kDeadEnd:
+    case learning::RolloutEnd::kOutsideSafeSet:
+      return plot::category(5);
+  }
+  return {};
+}
+
+void add_ghosts(const ModelInsight& insight, std::vector<stage::PathLayer>& paths) {
+  for (const learning::Rollout& rollout : insight.ghosts) {
+    if (rollout.cells.size() < 2) continue;
+    stage::PathLayer path;
+    path.radius_m = 0.00025;
+    path.colours = {ghost_colour(rollout.end)};
+    for (const spatial::CellIndex cell : rollout.cells) path.points.push_back(insight.entry->model->grid.centre(cell));
+    paths.push_back(std::move(path));
+  }
+}
+
+std::shared_ptr<const demonstration::Demonstration> selected(const WorkbenchState& state) {
+  if (!state.project) return nullptr;
+  const auto found = state.project->demonstrations.find(state.demonstration);
+  return found == state.project->demonstrations.end() ? nullptr : found->second;
+}
+
+}  // namespace
+
+scene::Camera camera_of(const WorkbenchState& state) {
+  return state.camera_preset ? scene::camera(*state.camera_preset) : state.orbit.camera();
+}
+
+ViewDirector::ViewDirector()
+    : ready_(ready_stage()), worker_([] {
+        auto studio = std::make_shared<Result<Studio>>(Studio::create());
+        return [studio](const ViewRequest& request) -> Answer {
+          if (!*studio) return {nullptr, studio->error().text()};
+          Result<Image> image = (*studio)->picture(request);
+          if (!image) return {nullptr, image.error().text()};
+          return {std::make_shared<const Image>(std::move(*image)), {}};
+        };
+      }) {}
+
+void ViewDirector::resize(int width, int height) {
+  width_ = std::clamp(width, 16, 4096);
+  height_ = std::clamp(height, 16, 4096);
+}
+
+bool ViewDirector::poll(WorkbenchState& state, double now_s) {
+  const Shown wanted = shown_by(state);
+  const bool changed = !(wanted == requested_);
+  const bool early = state.live && now_s - requested_at_s_ < kLivePeriod_s;
+  const bool settled = coarse_ && now_s - requested_at_s_ >= kSettle_s;
+  if (!worker_.pending() && !early && (changed || settled)) {
+    ViewRequest request = request_for(state);
+    // The first picture and moving ones are coarse; what stands still is worth four samples.
+    coarse_ = changed;
+    request.render.samples = coarse_ ? 1 : 4;
+    request.render.soft_shadows = !coarse_;
+    worker_.request(std::move(request));
+    requested_ = wanted;
+    requested_at_s_ = now_s;
+  }
+  const bool arrived = worker_.update();
+  if (arrived) {
+    const Answer& answer = worker_.answer();
+    if (answer.image) {
+      state.picture = answer.image;
+      ++state.picture_number;
+    }
+    state.picture_error = answer.error;
+  }
+  state.picture_pending = worker_.pending();
+  return arrived;
+}
+
+bool ViewDirector::busy() const {
+  return coarse_ || worker_.pending();
+}
+
+ViewDirector::Shown ViewDirector::shown_by(const WorkbenchState& state) const {
+  Shown shown;
+  shown.demonstration = selected(state).get();
+  shown.playhead_s = state.playhead_s;
+  shown.insight = state.insight.get();
+  shown.field = state.field;
+  shown.rollouts = state.rollouts;
+  shown.X_WC = camera_of(state).X_WC.matrix();
+  shown.live_tick = state.live ? state.live->world.tick.count : -1;
+  shown.width = width_;
+  shown.height = height_;
+  return shown;
+}
+
+ViewRequest ViewDirector::request_for(const WorkbenchState& state) {
+  ViewRequest request;
+  const auto demonstration = selected(state);
+  if (state.live) {
+    request.pose = stage::pose_of(state.live->world);
+  } else if (demonstration && !demonstration->gated().empty()) {
+    request.pose = stage::pose_of(demonstration->sample_at(state.playhead_s));
+    request.options.highlighted_block = demonstration->recording->provenance.block;
+  } else {
+    request.pose = ready_;
+  }
+  if (!state.live) request.paths = paths_for(state);
+  if (!state.live && state.insight && state.insight->field && state.field.visible) {
+    request.fields.push_back(field_layer(state.insight->field, state.field));
+    request.options.lattice_frame = true;
+  }
+  request.camera = camera_of(state);
+  request.render.width = width_;
+  request.render.height = height_;
+  return request;
+}
+
+std::shared_ptr<const std::vector<stage::PathLayer>> ViewDirector::paths_for(const WorkbenchState& state) {
+  const auto demonstration = selected(state);
+  const void* insight = state.insight.get();
+  if (paths_ && paths_demonstration_ == demonstration.get() && paths_insight_ == insight &&
+      paths_ghosts_ == state.rollouts.ghosts) {
+    return paths_;
+  }
+  auto paths = std::make_shared<std::vector<stage::PathLayer>>();
+  if (demonstration && !demonstration->gated().empty()) {
+    paths->push_back(stage::path_of(*demonstration, kinematics::ArmSide::kLeft));
+    paths->push_back(stage::path_of(*demonstration, kinematics::ArmSide::kRight));
+  }
+  if (state.insight && state.rollouts.ghosts) add_ghosts(*state.insight, *paths);
+  paths_demonstration_ = demonstration.get();
+  paths_insight_ = insight;
+  paths_ghosts_ = state.rollouts.ghosts;
+  paths_ = std::move(paths);
+  return paths_;
+}
+
+}  // namespace trocar::workbench

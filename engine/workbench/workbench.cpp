@@ -1,0 +1,170 @@
+#include "engine/workbench/workbench.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <variant>
+
+#include "engine/workbench/workbench_impl.h"
+
+namespace trocar::workbench {
+
+Workbench::Impl::Impl(Options options_in)
+    : options(std::move(options_in)), insight([] {
+        auto maker = std::make_shared<InsightMaker>();
+        return [maker](const InsightRequest& request) { return maker->make(request); };
+      }) {
+  if (!options.clock) options.clock = std::make_shared<SystemClock>();
+  if (options.picture) view.emplace();
+  last_poll_s = options.clock->now_s();
+}
+
+void Workbench::Impl::log(Severity severity, std::string text) {
+  constexpr std::size_t kKept = 500;
+  const std::string time = iso_time(options.clock->unix_s());
+  state.log.push_back({time.substr(11, 8), severity, std::move(text)});
+  if (state.log.size() > kKept) state.log.erase(state.log.begin());
+  dirty = true;
+}
+
+bool Workbench::Impl::succeeded(const Status& status) {
+  if (!status) log(Severity::kError, status.error().text());
+  return status.has_value();
+}
+
+bool Workbench::Impl::project_open() {
+  if (!file) log(Severity::kWarning, "Open a project first");
+  return file != nullptr;
+}
+
+void Workbench::Impl::take_project(std::unique_ptr<ProjectFile> opened) {
+  file = std::move(opened);
+  state.load = LoadState::kReady;
+  state.load_error.clear();
+  state.path = file->path();
+  refresh_document();
+}
+
+void Workbench::Impl::refresh_document() {
+  dirty = true;
+  state.project = file->project();
+  state.history = file->history();
+  state.head = file->head();
+  state.undoable = file->undoable();
+  state.redoable = file->redoable();
+  const auto& demonstrations = state.project->demonstrations;
+  if (!demonstrations.contains(state.demonstration)) {
+    state.demonstration = demonstrations.empty() ? DemonstrationId{} : demonstrations.begin()->first;
+    state.play_speed = 0.0;
+  }
+  const auto& models = state.project->models;
+  if (!models.contains(state.model)) state.model = models.empty() ? ModelId{} : models.rbegin()->first;
+  on(SetPlayhead{state.playhead_s});
+  request_insight();
+}
+
+void Workbench::Impl::request_insight() {
+  InsightRequest request;
+  request.entry = model(state.model);
+  request.stale = request.entry && state.project->stale(*request.entry);
+  request.layer = state.field.layer;
+  request.rollouts = state.rollouts;
+  insight.request(std::move(request));
+}
+
+std::shared_ptr<const demonstration::Demonstration> Workbench::Impl::demonstration(DemonstrationId id) const {
+  if (!state.project) return nullptr;
+  const auto found = state.project->demonstrations.find(id);
+  return found == state.project->demonstrations.end() ? nullptr : found->second;
+}
+
+std::shared_ptr<const ModelEntry> Workbench::Impl::model(ModelId id) const {
+  if (!state.project) return nullptr;
+  const auto found = state.project->models.find(id);
+  return found == state.project->models.end() ? nullptr : found->second;
+}
+
+void Workbench::Impl::advance_playhead(double elapsed_s) {
+  if (state.play_speed == 0.0) return;
+  const auto shown = demonstration(state.demonstration);
+  if (!shown) return;
+  state.playhead_s += state.play_speed * elapsed_s;
+  if (state.playhead_s >= shown->end_s || state.playhead_s < shown->begin_s) state.play_speed = 0.0;
+  on(SetPlayhead{state.playhead_s});
+}
+
+void Workbench::Impl::poll_recording() {
+  if (!recording) return;
+  const std::optional<LiveRecording::End> end = recording->poll();
+  state.live = recording->view();
+  dirty = true;
+  if (!end) return;
+  recording.reset();
+  state.live.reset();
+  if (end->demonstration) {
+    log(Severity::kInfo, end->message);
+    state.demonstration = *end->demonstration;
+    state.playhead_s = 0.0;
+  } else {
+    const bool discarded = end->demonstration.error().code() == ErrorCode::kCancelled;
+    log(discarded ? Severity::kInfo : Severity::kError, end->demonstration.error().text());
+  }
+  refresh_document();
+}
+
+bool Workbench::Impl::poll() {
+  const double now_s = options.clock->now_s();
+  const double elapsed_s = std::clamp(now_s - last_poll_s, 0.0, 0.25);
+  last_poll_s = now_s;
+  advance_playhead(elapsed_s);
+  poll_recording();
+  for (const JobView& ended : jobs.poll()) {
+    if (ended.state == JobState::kFailed) log(Severity::kError, ended.title + ": " + ended.message);
+    if (ended.state == JobState::kDone && !ended.hidden) log(Severity::kInfo, ended.title + ": " + ended.message);
+    dirty = true;
+  }
+  if (jobs.busy()) dirty = true;
+  state.jobs = jobs.jobs();
+  std::erase_if(state.jobs, [](const JobView& job) { return job.hidden; });
+  if (insight.update()) {
+    state.insight = insight.answer();
+    dirty = true;
+  }
+  state.insight_pending = insight.pending();
+  if (view && view->poll(state, now_s)) dirty = true;
+  return std::exchange(dirty, false);
+}
+
+Workbench::Workbench(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {}
+
+Workbench::~Workbench() = default;
+
+void Workbench::post(Command command) {
+  std::visit([this](const auto& alternative) { impl_->on(alternative); }, command);
+}
+
+bool Workbench::poll() {
+  return impl_->poll();
+}
+
+bool Workbench::busy() const {
+  return impl_->jobs.busy() || impl_->recording || impl_->state.play_speed != 0.0 || impl_->insight.pending() ||
+         (impl_->view && impl_->view->busy());
+}
+
+Status Workbench::wait_idle(double limit_s) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(limit_s);
+  for (poll(); busy(); poll()) {
+    if (std::chrono::steady_clock::now() > deadline) {
+      return fail(ErrorCode::kCancelled, "the workbench was still busy when the waiting ended");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return {};
+}
+
+const WorkbenchState& Workbench::state() const {
+  return impl_->state;
+}
+
+}  // namespace trocar::workbench

@@ -1,0 +1,209 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "engine/workbench/jobs/field_job.h"
+#include "engine/workbench/jobs/film_job.h"
+#include "engine/workbench/jobs/train_job.h"
+#include "engine/workbench/workbench_impl.h"
+
+namespace trocar::workbench {
+
+void Workbench::Impl::on(const OpenProject& command) {
+  if (recording) return log(Severity::kWarning, "Stop the recording before opening another project");
+  state.load = LoadState::kLoading;
+  state.path = command.path;
+  dirty = true;
+  struct Opened {
+    std::unique_ptr<ProjectFile> file;
+    Diagnostics diagnostics;
+  };
+  const auto work = [this, path = command.path, create = command.create](Progress&) -> Result<JobResult> {
+    auto opened = std::make_shared<Opened>();
+    auto file_opened =
+        create ? ProjectFile::create(path, options.clock) : ProjectFile::open(path, options.clock, opened->diagnostics);
+    if (!file_opened) {
+      // A failure is shown where the project would have been, so it is a result and not a failed job.
+      const std::string why = file_opened.error().text();
+      return JobResult{why, [this, why]() -> Status {
+                         state.load = file ? LoadState::kReady : LoadState::kFailed;
+                         if (file) state.path = file->path();
+                         state.load_error = why;
+                         log(Severity::kError, why);
+                         return {};
+                       }};
+    }
+    opened->file = std::make_unique<ProjectFile>(std::move(*file_opened));
+    return JobResult{"", [this, opened]() -> Status {
+                       take_project(std::move(opened->file));
+                       for (const std::string& warning : opened->diagnostics.warnings())
+                         log(Severity::kWarning, warning);
+                       log(Severity::kInfo, fmt::format("Opened {}", state.path.filename().string()));
+                       return {};
+                     }};
+  };
+  jobs.start("Open " + command.path.filename().string(), work, true);
+}
+
+void Workbench::Impl::on(const CommitEdit& command) {
+  if (!project_open()) return;
+  const Result<std::int64_t> id = file->commit(command.edit);
+  if (!id) return log(Severity::kError, id.error().text());
+  log(Severity::kInfo, file->history().back().description);
+  refresh_document();
+}
+
+void Workbench::Impl::on(const Undo&) {
+  if (project_open() && succeeded(file->undo())) refresh_document();
+}
+
+void Workbench::Impl::on(const Redo&) {
+  if (project_open() && succeeded(file->redo())) refresh_document();
+}
+
+void Workbench::Impl::on(const GoToHistory& command) {
+  if (project_open() && succeeded(file->go_to(command.node))) refresh_document();
+}
+
+void Workbench::Impl::on(const SelectDemonstration& command) {
+  const auto shown = demonstration(command.id);
+  if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", command.id.value));
+  state.demonstration = command.id;
+  state.play_speed = 0.0;
+  on(SetPlayhead{shown->begin_s});
+}
+
+void Workbench::Impl::on(const SelectModel& command) {
+  if (!model(command.id)) return log(Severity::kError, fmt::format("there is no model {}", command.id.value));
+  state.model = command.id;
+  request_insight();
+}
+
+void Workbench::Impl::on(const SetPlayhead& command) {
+  const auto shown = demonstration(state.demonstration);
+  const double wanted_s = std::isfinite(command.t_s) ? command.t_s : 0.0;
+  state.playhead_s = shown ? std::clamp(wanted_s, shown->begin_s, shown->end_s) : 0.0;
+  dirty = true;
+}
+
+void Workbench::Impl::on(const Play& command) {
+  const auto shown = demonstration(state.demonstration);
+  if (!shown || !std::isfinite(command.speed)) return;
+  state.play_speed = std::clamp(command.speed, -50.0, 50.0);
+  // From the end, play means once more from the beginning.
+  if (state.play_speed > 0.0 && state.playhead_s >= shown->end_s) on(SetPlayhead{shown->begin_s});
+  dirty = true;
+}
+
+void Workbench::Impl::on(const SetCamera& command) {
+  state.orbit = command.orbit;
+  state.camera_preset.reset();
+  dirty = true;
+}
+
+void Workbench::Impl::on(const SetCameraPreset& command) {
+  state.camera_preset = command.preset;
+  state.orbit = scene::OrbitCamera::from(scene::camera(command.preset), state.orbit.distance_m);
+  dirty = true;
+}
+
+void Workbench::Impl::on(const SetViewSize& command) {
+  if (view) view->resize(command.width, command.height);
+}
+
+void Workbench::Impl::on(const SetField& command) {
+  const bool other_layer = command.settings.layer != state.field.layer;
+  state.field = command.settings;
+  dirty = true;
+  if (other_layer) request_insight();
+}
+
+void Workbench::Impl::on(const SetRollouts& command) {
+  const bool other_starts =
+      command.settings.around != state.rollouts.around || command.settings.ghost_count != state.rollouts.ghost_count;
+  state.rollouts = command.settings;
+  dirty = true;
+  if (other_starts) request_insight();
+}
+
+void Workbench::Impl::on(const RecordScripted& command) {
+  if (!project_open()) return;
+  if (recording) return log(Severity::kWarning, "A recording is running already");
+  auto started = LiveRecording::start(*file, command);
+  if (!started) return log(Severity::kError, started.error().text());
+  recording = std::move(*started);
+  state.play_speed = 0.0;
+  log(Severity::kInfo, "Recording");
+}
+
+void Workbench::Impl::on(const StopRecording& command) {
+  if (recording) recording->stop(command.keep);
+}
+
+void Workbench::Impl::on(const TrainModel& command) {
+  if (!project_open()) return;
+  const auto work = [this, command, project = state.project](Progress& progress) -> Result<JobResult> {
+    auto trained = train_model(*project, command, progress);
+    if (!trained) return tl::unexpected(std::move(trained).error());
+    auto entry = std::make_shared<const ModelEntry>(std::move(*trained));
+    const std::string message = fmt::format("trained in {:.2f} s", entry->model->seconds);
+    return JobResult{message, [this, entry]() -> Status {
+                       TROCAR_ASSIGN_OR_RETURN(const std::int64_t object, file->store_model(*entry));
+                       TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file->commit(AddModel{object}));
+                       state.model = ModelId{id};
+                       refresh_document();
+                       return {};
+                     }};
+  };
+  const std::string name = command.name.empty() ? model_name(command) : command.name;
+  jobs.start("Train " + name, work);
+}
+
+void Workbench::Impl::on(const VerifyReplay& command) {
+  const auto shown = demonstration(command.demonstration);
+  if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", command.demonstration.value));
+  const auto work = [recorded = shown->recording](Progress& progress) -> Result<JobResult> {
+    TROCAR_ASSIGN_OR_RETURN(const trial::ReplayResult replayed, trial::replay(*recorded, progress));
+    if (replayed.verified) return JobResult{"verified: every state hash is the same", {}};
+    return fail(ErrorCode::kCheckFailed,
+                fmt::format("the replay diverged at {:.2f} s", replayed.diverged_at_s.value_or(0.0)));
+  };
+  jobs.start("Replay " + shown->name, work);
+}
+
+void Workbench::Impl::on(const ExportVideo& command) {
+  FilmJob film;
+  for (const DemonstrationId id : command.demonstrations) {
+    const auto shown = demonstration(id);
+    if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", id.value));
+    film.demonstrations.push_back(shown);
+  }
+  film.path = command.path;
+  film.width = command.width;
+  film.height = command.height;
+  film.fps = command.fps;
+  const auto work = [film](Progress& progress) -> Result<JobResult> {
+    TROCAR_ASSIGN_OR_RETURN(const FilmReport report, render_film(film, progress));
+    return JobResult{fmt::format("{} frames in {:.1f} s", report.frames, report.seconds), {}};
+  };
+  jobs.start("Film " + command.path.filename().string(), work);
+}
+
+void Workbench::Impl::on(const ExportField& command) {
+  const auto entry = model(command.model);
+  if (!entry) return log(Severity::kError, fmt::format("there is no model {}", command.model.value));
+  const auto work =
+      [request = FieldExport{entry, command.layer, command.slice, command.path}](Progress&) -> Result<JobResult> {
+    TROCAR_RETURN_IF_ERROR(export_field(request));
+    return JobResult{"written", {}};
+  };
+  jobs.start("Export " + command.path.filename().string(), work);
+}
+
+void Workbench::Impl::on(const CancelJob& command) {
+  jobs.cancel(command.id);
+}
+
+}  // namespace trocar::workbench

@@ -1,0 +1,69 @@
+/// The inside of `Workbench`: what each command does. Private to the module.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/workbench/job_runner.h"
+#include "engine/workbench/latest_worker.h"
+#include "engine/workbench/live_recording.h"
+#include "engine/workbench/view_director.h"
+#include "engine/workbench/workbench.h"
+
+namespace trocar::workbench {
+
+struct Workbench::Impl {
+  explicit Impl(Options options_in);
+
+  // One overload for each command.
+  void on(const OpenProject& command);
+  void on(const CommitEdit& command);
+  void on(const Undo& command);
+  void on(const Redo& command);
+  void on(const GoToHistory& command);
+  void on(const SelectDemonstration& command);
+  void on(const SelectModel& command);
+  void on(const SetPlayhead& command);
+  void on(const Play& command);
+  void on(const SetCamera& command);
+  void on(const SetCameraPreset& command);
+  void on(const SetViewSize& command);
+  void on(const SetField& command);
+  void on(const SetRollouts& command);
+  void on(const RecordScripted& command);
+  void on(const StopRecording& command);
+  void on(const TrainModel& command);
+  void on(const VerifyReplay& command);
+  void on(const ExportVideo& command);
+  void on(const ExportField& command);
+  void on(const CancelJob& command);
+
+  void log(Severity severity, std::string text);
+  /// Logs an error; false if there was one.
+  bool succeeded(const Status& status);
+  /// False, with a word in the log, unless a project is open.
+  bool project_open();
+  void take_project(std::unique_ptr<ProjectFile> opened);
+  /// After every change of the document: selection, gates and insight follow it.
+  void refresh_document();
+  void request_insight();
+  std::shared_ptr<const demonstration::Demonstration> demonstration(DemonstrationId id) const;
+  std::shared_ptr<const ModelEntry> model(ModelId id) const;
+  void advance_playhead(double elapsed_s);
+  void poll_recording();
+  bool poll();
+
+  Options options;
+  WorkbenchState state;
+  std::unique_ptr<ProjectFile> file;
+  std::unique_ptr<LiveRecording> recording;
+  std::optional<ViewDirector> view;
+  LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
+  double last_poll_s = 0.0;
+  bool dirty = false;
+  JobRunner jobs;  // last: its thread ends first
+};
+
+}  // namespace trocar::workbench

@@ -1,0 +1,63 @@
+/// All that panels read of the workbench, as one value.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/image.h"
+#include "engine/workbench/command.h"
+#include "engine/workbench/insight.h"
+#include "engine/workbench/job_view.h"
+#include "engine/workbench/live_runner.h"
+#include "engine/workbench/project.h"
+#include "engine/workbench/project_file.h"
+
+namespace trocar::workbench {
+
+enum class Severity { kInfo, kWarning, kError };
+struct LogLine {
+  std::string time;  ///< "12:03:41"
+  Severity severity = Severity::kInfo;
+  std::string text;
+};
+
+enum class LoadState { kNone, kLoading, kReady, kFailed };
+
+/// All that panels read. Replaced piecewise in `poll()`; constant while a frame is drawn.
+struct WorkbenchState {
+  LoadState load = LoadState::kNone;
+  std::string load_error;
+  std::filesystem::path path;
+  std::shared_ptr<const Project> project;  ///< Null unless `kReady`.
+  std::vector<HistoryNode> history;
+  std::int64_t head = 0;
+  bool undoable = false;
+  bool redoable = false;
+
+  DemonstrationId demonstration;  ///< Selected, or none.
+  ModelId model;
+  double playhead_s = 0.0;
+  double play_speed = 0.0;  ///< 0: paused.
+
+  scene::OrbitCamera orbit;
+  std::optional<scene::CameraPreset> camera_preset;  ///< Until the view is orbited.
+  FieldSettings field;
+  RolloutSettings rollouts;
+  std::shared_ptr<const ModelInsight> insight;  ///< Of the selected model; null until worked out.
+  bool insight_pending = false;
+  std::optional<LiveView> live;
+
+  std::shared_ptr<const Image> picture;  ///< The newest 3-D view; null until the first.
+  std::uint64_t picture_number = 0;      ///< Changes with each new picture.
+  bool picture_pending = false;
+  std::string picture_error;
+
+  std::vector<JobView> jobs;  ///< Newest first.
+  std::vector<LogLine> log;   ///< Oldest first, at most 500.
+};
+
+}  // namespace trocar::workbench
