@@ -81,7 +81,7 @@ Table diverging_table() {
     const double side = 2.0 * i / kSteps - 1.0;
     const double far = std::abs(side);
     const double lightness = 0.965 - 0.36 * far - 0.225 * far * far;
-    const double chroma = 0.115 * std::sin(std::numbers::pi * std::pow(far, 0.85) * 0.62) / std::sin(0.5 * 3.141592);
+    const double chroma = 0.115 * std::sin(0.62 * std::numbers::pi * std::pow(far, 0.85));
     table[static_cast<std::size_t>(i)] = from_oklab(oklab_of(lightness, chroma, side < 0.0 ? kBlue : kOrange));
   }
   return table;

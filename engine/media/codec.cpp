@@ -1,0 +1,116 @@
+#include "engine/media/codec.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+#include "engine/core/check.h"
+#include "engine/media/media_library.h"
+
+namespace trocar::media {
+namespace {
+
+struct CodecRow {
+  Codec codec;
+  std::string_view name;
+  const char* fourcc;
+  std::vector<std::string_view> extensions;  ///< The first one is usual.
+  bool automatic;                            ///< Tried for kAuto, in this order.
+};
+
+const std::array<CodecRow, 4>& rows() {
+  static const std::array<CodecRow, 4> table{{
+      {Codec::kH264, "h264", "avc1", {".mp4", ".mov", ".mkv"}, true},
+      {Codec::kMpeg4, "mpeg4", "mp4v", {".mp4", ".mov", ".mkv", ".avi"}, true},
+      {Codec::kMotionJpeg, "mjpeg", "MJPG", {".avi", ".mkv", ".mov"}, true},
+      {Codec::kFfv1, "ffv1", "FFV1", {".mkv", ".avi"}, false},
+  }};
+  return table;
+}
+
+bool fits(const CodecRow& row, std::string_view extension) {
+  return std::find(row.extensions.begin(), row.extensions.end(), extension) != row.extensions.end();
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Writes a few small frames where temporary files go.
+bool works(const trocar_media_api& api, const CodecRow& row) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::temp_directory_path(error) /
+                                     fmt::format("trocar_codec_{}_{}{}", ::getpid(), row.name, row.extensions.front());
+  if (error) return false;
+  void* writer = api.writer_open(path.c_str(), row.fourcc, 30.0, 64, 64);
+  bool good = writer != nullptr;
+  if (good) {
+    const Image grey(64, 64, {90, 90, 90, 255});
+    for (int i = 0; i < 3; ++i) good = api.writer_add(writer, grey.rgba.data()) != 0 && good;
+    api.writer_close(writer);
+    const auto size = std::filesystem::file_size(path, error);
+    good = good && !error && size > 0;
+  }
+  std::filesystem::remove(path, error);
+  return good;
+}
+
+}  // namespace
+
+std::string_view to_string(Codec codec) {
+  for (const CodecRow& row : rows()) {
+    if (row.codec == codec) return row.name;
+  }
+  return "auto";
+}
+
+Result<Codec> codec_from(std::string_view text) {
+  if (text == "auto") return Codec::kAuto;
+  for (const CodecRow& row : rows()) {
+    if (row.name == text) return row.codec;
+  }
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("no codec is named \"{}\"; there are auto, h264, mpeg4, mjpeg, ffv1", text));
+}
+
+std::vector<Codec> available_codecs() {
+  std::vector<Codec> out;
+  const Result<const trocar_media_api*> api = media_library();
+  if (!api) return out;
+  for (const CodecRow& row : rows()) {
+    if (works(**api, row)) out.push_back(row.codec);
+  }
+  return out;
+}
+
+Result<std::vector<Codec>> codecs_for(const std::filesystem::path& path, Codec wanted) {
+  const std::string extension = lower(path.extension().string());
+  std::vector<Codec> out;
+  for (const CodecRow& row : rows()) {
+    const bool asked = wanted == Codec::kAuto ? row.automatic : wanted == row.codec;
+    if (asked && fits(row, extension)) out.push_back(row.codec);
+  }
+  if (!out.empty()) return out;
+  std::string sentence = "a film's name ends in .mp4, .mov, .mkv or .avi";
+  for (const CodecRow& row : rows()) {
+    if (row.codec == wanted) {
+      sentence = fmt::format("a film in {} ends in {}", row.name, fmt::join(row.extensions, " or "));
+    }
+  }
+  return tl::unexpected(Error(ErrorCode::kInvalidArgument, sentence).at(path.string()));
+}
+
+const char* fourcc_of(Codec codec) {
+  for (const CodecRow& row : rows()) {
+    if (row.codec == codec) return row.fourcc;
+  }
+  TROCAR_CHECK(codec != Codec::kAuto);
+  return "";
+}
+
+}  // namespace trocar::media

@@ -1,0 +1,206 @@
+#include "engine/media/video_writer.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <thread>
+
+#include "engine/core/check.h"
+#include "engine/core/file.h"
+#include "engine/media/codec.h"
+#include "engine/media/frame_queue.h"
+#include "engine/media/media_library.h"
+
+namespace trocar::media {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Deep enough to ride out a slow frame on either side; at 1920 × 1080 it holds 33 MB.
+constexpr std::size_t kQueuedFrames = 4;
+// FFmpeg goes on silently when a disk is full; the rest of a file needs about this much.
+constexpr std::uintmax_t kLeastFree_bytes = std::uintmax_t{4} << 20U;
+constexpr int kFramesBetweenDiskChecks = 15;
+
+Status check_options(const VideoOptions& options) {
+  const auto [width, height, fps, codec] = options;
+  if (width < 16 || height < 16 || width > 8192 || height > 8192) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("a film is 16 to 8192 pixels wide and high, not {} × {}", width, height));
+  }
+  if (width % 2 != 0 || height % 2 != 0) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("a film's width and height are even numbers, not {} × {}", width, height));
+  }
+  if (!std::isfinite(fps) || fps < 1.0 || fps > 240.0) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("a film has 1 to 240 frames a second, not {}", fps));
+  }
+  return {};
+}
+
+/// Makes the empty file, so that a path that cannot be written says why.
+Status create_file(const fs::path& temporary) {
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return fail(ErrorCode::kIo, fmt::format("could not create the file ({})", std::strerror(errno)));
+  ::close(file);
+  return {};
+}
+
+bool has_room(const fs::path& path) {
+  std::error_code error;
+  const fs::space_info space = fs::space(path, error);
+  return error || space.available >= kLeastFree_bytes;
+}
+
+void sync(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
+}
+
+}  // namespace
+
+struct VideoWriter::Impl {
+  const trocar_media_api* api = nullptr;
+  fs::path path;
+  fs::path temporary;
+  VideoOptions options;  ///< `codec` is the one in use.
+  void* writer = nullptr;
+  int added = 0;
+  bool finished = false;
+  std::atomic<bool> cancelled{false};
+  std::atomic<bool> failed{false};
+  FrameQueue queue{kQueuedFrames};
+  std::jthread encoder;
+
+  ~Impl() {
+    if (finished) return;
+    cancelled = true;
+    stop(true);
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+  }
+
+  void stop(bool drop) {
+    queue.close(drop);
+    if (encoder.joinable()) encoder.join();
+    if (writer != nullptr) api->writer_close(writer);
+    writer = nullptr;
+  }
+
+  /// The encoder thread: the only one that uses `writer` while it runs.
+  void encode() {
+    int written = 0;
+    while (const std::optional<Image> frame = queue.pop()) {
+      if (cancelled || failed) continue;
+      const bool room = written % kFramesBetweenDiskChecks != 0 || has_room(temporary);
+      if (!room || api->writer_add(writer, frame->rgba.data()) == 0) failed = true;
+      ++written;
+    }
+  }
+
+  Status open_codec() {
+    TROCAR_ASSIGN_OR_RETURN(const std::vector<Codec> codecs, codecs_for(path, options.codec));
+    for (const Codec codec : codecs) {
+      writer = api->writer_open(temporary.c_str(), fourcc_of(codec), options.fps, options.width, options.height);
+      options.codec = codec;
+      if (writer != nullptr) return {};
+    }
+    return fail(ErrorCode::kUnsupported,
+                fmt::format("this machine cannot write films in {}", to_string(options.codec)));
+  }
+
+  /// A disk that filled up shows only here: the file is empty, lacks its index, or counts fewer frames.
+  Status check_file() const {
+    const auto bad = [](const char* what) { return fail(ErrorCode::kIo, what); };
+    if (failed) return bad("the film could not be encoded, or the disk is full");
+    std::error_code error;
+    if (fs::file_size(temporary, error) == 0 || error) return bad("the film is empty; is the disk full");
+    const std::unique_ptr<void, void (*)(void*)> reader(api->reader_open(temporary.c_str()), api->reader_close);
+    if (!reader) return bad("the film is not whole; is the disk full");
+    int width = 0;
+    int height = 0;
+    double fps = 0.0;
+    double declared = 0.0;
+    api->reader_info(reader.get(), &width, &height, &fps, &declared);
+    if (width != options.width || height != options.height) return bad("the film has another size than asked for");
+    // Matroska declares a duration instead of a count, so one frame of rounding is allowed.
+    if (std::abs(declared - added) > 1.0 || api->reader_next(reader.get()) == 0) {
+      return bad("the film lacks frames; is the disk full");
+    }
+    return {};
+  }
+};
+
+VideoWriter::VideoWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+VideoWriter::~VideoWriter() = default;
+VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
+VideoWriter& VideoWriter::operator=(VideoWriter&&) noexcept = default;
+
+Result<VideoWriter> VideoWriter::open(const fs::path& path, const VideoOptions& options) {
+  TROCAR_RETURN_IF_ERROR(check_options(options));
+  TROCAR_RETURN_IF_ERROR(codecs_for(path, options.codec));
+  TROCAR_ASSIGN_OR_RETURN(const trocar_media_api* api, media_library());
+  std::error_code error;
+  Status made;
+  if (fs::is_directory(path, error)) made = fail(ErrorCode::kIo, "a folder has that name");
+  const fs::path temporary = temporary_beside(path);
+  if (made) made = create_file(temporary);
+  if (!made) return tl::unexpected(std::move(made).error().at(path.string()));
+
+  auto impl = std::make_unique<Impl>();
+  impl->api = api;
+  impl->path = path;
+  impl->temporary = temporary;
+  impl->options = options;
+  if (Status opened = impl->open_codec(); !opened) {
+    return tl::unexpected(std::move(opened).error().at(path.string()));
+  }
+  impl->encoder = std::jthread([raw = impl.get()] { raw->encode(); });
+  return VideoWriter(std::move(impl));
+}
+
+Status VideoWriter::add(Image frame) {
+  TROCAR_CHECK(!impl_->finished);
+  if (frame.width != impl_->options.width || frame.height != impl_->options.height) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("a frame is {} × {} but the film is {} × {}", frame.width,
+                                                         frame.height, impl_->options.width, impl_->options.height));
+  }
+  if (impl_->failed || !impl_->queue.push(std::move(frame))) {
+    return tl::unexpected(
+        Error(ErrorCode::kIo, "the film could not be encoded, or the disk is full").at(impl_->path.string()));
+  }
+  ++impl_->added;
+  return {};
+}
+
+Status VideoWriter::finish() {
+  TROCAR_CHECK(!impl_->finished);
+  impl_->stop(false);
+  Status status = impl_->added > 0 ? impl_->check_file() : fail(ErrorCode::kInvalidArgument, "the film has no frames");
+  if (status) {
+    sync(impl_->temporary);
+    if (::rename(impl_->temporary.c_str(), impl_->path.c_str()) != 0) {
+      status = fail(ErrorCode::kIo, fmt::format("could not put the film in place ({})", std::strerror(errno)));
+    }
+  }
+  if (!status) {
+    std::error_code ignored;
+    fs::remove(impl_->temporary, ignored);
+  }
+  impl_->finished = true;
+  if (!status) return tl::unexpected(std::move(status).error().at(impl_->path.string()));
+  return {};
+}
+
+Codec VideoWriter::codec() const {
+  return impl_->options.codec;
+}
+
+}  // namespace trocar::media
