@@ -37,6 +37,9 @@ struct TrainOptions {
 using CellSequence = std::vector<spatial::CellIndex>;
 
 /// Immutable. Vectors are by CellIndex; `q`, 6 for each cell in the order of `spatial::Action`.
+///
+/// In `eg-maxent` V = max Q, and an untried action has Q = 0, where learning began. In the other two Q = minus infinity
+/// says that the agent has no such move (untried, off the lattice, out of the safe set, or no way to the goal).
 struct Model {
   TrainOptions options;
   spatial::Grid grid;
@@ -48,7 +51,9 @@ struct Model {
   std::vector<double> q;
   std::vector<double> value;
   std::vector<std::uint32_t> visits;  ///< Times entered in training; rounded expectation × 1000 for `exact`.
-  std::vector<std::uint8_t> tried;    ///< Bit a is set if action a was tried in the cell.
+  /// Bit a is set if action a was tried in the cell; for `exact`, which knows every move without trying, if the move
+  /// stays on the lattice and, from a safe cell, in the safe set.
+  std::vector<std::uint8_t> tried;
   std::vector<double> curve;  ///< Per epoch: feature mismatch ‖f − D‖₁ / ‖f‖₁ (mean of the last 100 episodes), or of
                               ///< the solver's iteration.
   double seconds = 0.0;  ///< Wall time of the training; not part of the hash.
@@ -64,6 +69,12 @@ struct Model {
 /// Errors: kInvalidArgument naming the option or the sequence at fault; kCancelled.
 Result<Model> train(const spatial::Grid& grid, const std::vector<CellSequence>& experts, const TrainOptions& options,
                     Progress& progress);
+
+/// As `train` on the grid of `previous`, but `exact` starts from what `previous` learned: for a demonstration that was
+/// moved a little, the same result (within the solver's tolerance) in a fraction of the time. Other methods start anew.
+/// Errors: as `train`.
+Result<Model> train_warm(const Model& previous, const std::vector<CellSequence>& experts, const TrainOptions& options,
+                         Progress& progress);
 
 /// How much of the state space has been explored (paper, section V.A): the goal is left out.
 struct Exploration {

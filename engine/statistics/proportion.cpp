@@ -1,0 +1,35 @@
+#include "engine/statistics/proportion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/check.h"
+
+namespace trocar::statistics {
+
+Interval wilson_interval(int successes, int count, double z) {
+  TROCAR_CHECK(successes >= 0 && successes <= count);
+  if (count == 0) return {};
+  const double n = count;
+  const double share = successes / n;
+  const double middle = (share + z * z / (2.0 * n)) / (1.0 + z * z / n);
+  const double half = z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
+  // At the ends the formula is exact but its rounding is not.
+  return {successes == 0 ? 0.0 : std::max(0.0, middle - half), successes == count ? 1.0 : std::min(1.0, middle + half)};
+}
+
+double mcnemar_exact_p(int only_a, int only_b) {
+  TROCAR_CHECK(only_a >= 0 && only_b >= 0);
+  const int n = only_a + only_b;
+  const int fewer = std::min(only_a, only_b);
+  // Logarithms, since 2^−n leaves the range of a double at n = 1075.
+  double log_term = -n * std::log(2.0);
+  double tail = std::exp(log_term);
+  for (int k = 1; k <= fewer; ++k) {
+    log_term += std::log(static_cast<double>(n - k + 1) / k);
+    tail += std::exp(log_term);
+  }
+  return std::min(1.0, 2.0 * tail);
+}
+
+}  // namespace trocar::statistics
