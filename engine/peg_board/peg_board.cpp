@@ -5,6 +5,11 @@
 
 namespace trocar::peg_board {
 
+double wall_angle(int wall) {
+  TROCAR_CHECK(wall >= 0 && wall < kWallCount);
+  return spatial::from_degrees(60.0 + 120.0 * wall);
+}
+
 Eigen::Vector3d start_peg(int block) {
   TROCAR_CHECK(block >= 0 && block < kBlockCount);
   // A hexagon of radius 23 mm about (−10, −27) mm.

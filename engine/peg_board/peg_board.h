@@ -30,6 +30,12 @@ constexpr double kWallMid_m = 0.005;           ///< From the block's axis to the
 constexpr double kBlockMass_kg = 0.002;
 constexpr double kBlockRest_m = 0.00725;  ///< z of a block's centre at rest on the board.
 
+// Frame K of a block: origin at its centre, z along the hole (up at rest), +x towards the middle of a chamfered corner.
+// The corners look along 0°, 120° and 240° about z, the walls (mid-sides) along 60°, 180° and 300°.
+constexpr int kWallCount = 3;
+/// The angle about z_K of the outward normal of a wall, in radians. Precondition: 0 ≤ wall < 3.
+double wall_angle(int wall);
+
 /// p_WP of the foot of a peg. Pegs 0–5 are the start pegs (the user's), 6–11 the goal pegs (the assistant's).
 Eigen::Vector3d start_peg(int block);  ///< Precondition: 0 ≤ block < 6.
 Eigen::Vector3d goal_peg(int goal);    ///< Precondition: 0 ≤ goal < 6.

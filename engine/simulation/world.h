@@ -40,7 +40,9 @@ class World {
 
   /// The whole state as a value; a world restored from it continues bit-identically.
   WorldSnapshot snapshot() const;
-  /// Errors: kInvalidArgument for a snapshot of other options or of another version.
+  /// Takes over the seed too, which only the beginning depends on.
+  /// Errors: kInvalidArgument for bytes that are not a whole snapshot of this version, and for one of a world with
+  /// other options but the seed; the world then stays as it was.
   Status restore(const WorldSnapshot& snapshot);
   /// Of everything that the next step depends on; equal in every process and thread for equal inputs.
   std::uint64_t state_hash() const;

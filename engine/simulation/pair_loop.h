@@ -1,0 +1,49 @@
+/// Which bodies touch: every pair that may, in an order that never changes.
+#pragma once
+
+#include <array>
+
+#include "engine/simulation/contacts.h"
+#include "engine/simulation/physics.h"
+
+namespace trocar::simulation {
+
+/// What a block touched in one tick.
+struct BlockTouch {
+  std::array<std::array<bool, 2>, 2> jaws{};  ///< [arm][jaw]
+  bool scene = false;
+  bool shaft = false;
+};
+
+/// What the pair loop needs to know besides ODE's bodies. Blocks that sleep (their bodies are disabled) are static for
+/// everything that moves slowly; what moves fast wakes them.
+struct PairLoopInput {
+  std::array<ArmPosture, 2> postures;
+  double jaw_friction = 0.8;
+  double scene_friction = 0.4;
+  double step_s = 0.001;
+  std::array<bool, peg_board::kBlockCount> fast{};  ///< Blocks that move faster than a resting one may.
+};
+
+/// Makes the contact joints of this tick. ODE's own spaces are not used: they reorder what moved, and the order of
+/// contacts decides the last bits. Arms do not touch each other, nor an arm's jaws each other (the servo stops at 0).
+class PairLoop {
+ public:
+  std::array<BlockTouch, peg_board::kBlockCount> connect(const Physics& physics, const PairLoopInput& input);
+
+ private:
+  using Touches = std::array<BlockTouch, peg_board::kBlockCount>;
+  void block_with_blocks(const Physics& physics, const PairLoopInput& input, std::size_t block);
+  void block_with_arm(const Physics& physics, const PairLoopInput& input, std::size_t block, std::size_t arm,
+                      BlockTouch& touch);
+  void block_with_scene(const Physics& physics, const PairLoopInput& input, std::size_t block, BlockTouch& touch);
+  void jaws_with_scene(const Physics& physics, const PairLoopInput& input, std::size_t arm);
+  bool finish(const Physics& physics, const PairLoopInput& input, const ContactMaterial& material);
+
+  ContactPatch patch_;
+};
+
+/// The distance between a point and a segment.
+double distance_to_segment(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+}  // namespace trocar::simulation
