@@ -18,6 +18,7 @@ struct Mesh {
   std::vector<Eigen::Vector3f> positions;  ///< Metres.
   std::vector<Eigen::Vector3f> normals;    ///< Unit, one for each position.
   std::vector<std::uint32_t> indices;      ///< Three for each triangle, counter-clockwise from outside.
+  std::vector<Rgba> colours;               ///< Multiply the material's colour: one for each position, or none.
 };
 
 struct Material {
@@ -34,7 +35,8 @@ struct Node {
   Eigen::Matrix4f X_WM = Eigen::Matrix4f::Identity();  ///< Mesh in world; scale allowed.
 };
 
-/// A textured rectangle (a slice of a field): `texture` row 0 is at `origin + v`, nearest sampling.
+/// A textured rectangle (a slice of a field), unlit: `texture` row 0 is at `origin + v`, column 0 at `origin`.
+/// Texels have hard edges where they are larger than a pixel and are averaged where they are smaller.
 struct Quad {
   Eigen::Vector3f origin{0, 0, 0};  ///< Metres, W.
   Eigen::Vector3f u{1, 0, 0};
@@ -57,6 +59,9 @@ struct Scene {
   Eigen::Vector3f light_direction{-0.35F, -0.25F, -1.0F};  ///< Where the light goes, W.
   Rgba background_top{46, 50, 58, 255};
   Rgba background_bottom{24, 26, 31, 255};
+  /// Everything fades into the background between these horizontal distances from Wo.
+  float fade_begin_m = 0.16F;
+  float fade_end_m = 0.42F;
 };
 
 /// Frame C: x right, y down, z forward.

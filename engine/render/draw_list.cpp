@@ -1,0 +1,96 @@
+#include "engine/render/draw_list.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace trocar::render {
+namespace {
+
+/// Closer to opaque than 8 bits can say.
+constexpr float kOpaque = 0.998F;
+
+Instance instance_of(const scene::Node& node) {
+  const scene::Material& material = node.material;
+  return {node.X_WM.topRows<3>(), material.base_colour,
+          Eigen::Vector4f(material.roughness, material.metallic, material.emission, 0.0F)};
+}
+
+struct Group {
+  const GpuMesh* mesh = nullptr;
+  std::vector<std::size_t> casters;
+  std::vector<std::size_t> others;
+};
+
+void add_opaque(const scene::Scene& scene, MeshCache& cache, DrawList& list) {
+  std::vector<Group> groups;
+  std::unordered_map<const scene::Mesh*, std::size_t> group_of;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const scene::Node& node = scene.nodes[i];
+    if (node.mesh == nullptr || node.material.base_colour.w() < kOpaque) continue;
+    const auto [found, added] = group_of.try_emplace(node.mesh.get(), groups.size());
+    if (added) groups.push_back({&cache.mesh(node.mesh), {}, {}});
+    Group& group = groups[found->second];
+    (node.material.casts_shadow ? group.casters : group.others).push_back(i);
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return a.mesh->radius_m < b.mesh->radius_m; });
+  for (const Group& group : groups) {
+    list.opaque.push_back(
+        {group.mesh, list.instances.size(), group.casters.size() + group.others.size(), group.casters.size()});
+    for (const std::size_t i : group.casters) list.instances.push_back(instance_of(scene.nodes[i]));
+    for (const std::size_t i : group.others) list.instances.push_back(instance_of(scene.nodes[i]));
+  }
+}
+
+struct SeeThrough {
+  double depth = 0.0;
+  const scene::Node* node = nullptr;
+  int quad = -1;
+};
+
+double distance(const scene::Camera& camera, const Eigen::Vector3d& p_W) {
+  const Eigen::Vector3d from_eye = p_W - camera.X_WC.p;
+  return camera.orthographic ? from_eye.dot(camera.X_WC.q * Eigen::Vector3d::UnitZ()) : from_eye.squaredNorm();
+}
+
+std::vector<SeeThrough> see_through(const scene::Scene& scene, const scene::Camera& camera, MeshCache& cache) {
+  std::vector<SeeThrough> found;
+  for (const scene::Node& node : scene.nodes) {
+    const float alpha = node.material.base_colour.w();
+    if (node.mesh == nullptr || alpha >= kOpaque || alpha <= 0.0F) continue;
+    const Eigen::Vector3f centre = (node.X_WM * cache.mesh(node.mesh).centre.homogeneous()).head<3>();
+    found.push_back({distance(camera, centre.cast<double>()), &node, -1});
+  }
+  for (std::size_t i = 0; i < scene.quads.size(); ++i) {
+    const scene::Quad& quad = scene.quads[i];
+    if (quad.texture == nullptr || quad.texture->empty() || quad.opacity <= 0.0F) continue;
+    const Eigen::Vector3f centre = quad.origin + 0.5F * (quad.u + quad.v);
+    found.push_back({distance(camera, centre.cast<double>()), nullptr, static_cast<int>(i)});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const SeeThrough& a, const SeeThrough& b) { return a.depth > b.depth; });
+  return found;
+}
+
+}  // namespace
+
+DrawList make_draw_list(const scene::Scene& scene, const scene::Camera& camera, MeshCache& cache) {
+  DrawList list;
+  list.instances.reserve(scene.nodes.size());
+  add_opaque(scene, cache, list);
+  for (const SeeThrough& item : see_through(scene, camera, cache)) {
+    if (item.node == nullptr) {
+      list.blended.push_back({{}, item.quad});
+      continue;
+    }
+    const GpuMesh* mesh = &cache.mesh(item.node->mesh);
+    if (list.blended.empty() || list.blended.back().batch.mesh != mesh) {
+      list.blended.push_back({{mesh, list.instances.size(), 0, 0}, -1});
+    }
+    ++list.blended.back().batch.count;
+    list.instances.push_back(instance_of(*item.node));
+  }
+  return list;
+}
+
+}  // namespace trocar::render

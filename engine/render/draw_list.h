@@ -1,0 +1,36 @@
+/// A scene put in the order in which it is drawn: opaque things by mesh, see-through things from far to near.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "engine/render/mesh_cache.h"
+#include "engine/scene/scene.h"
+
+namespace trocar::render {
+
+/// Some instances of one mesh, next to each other in `DrawList::instances`; those that cast a shadow come first.
+struct Batch {
+  const GpuMesh* mesh = nullptr;
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::size_t caster_count = 0;
+};
+
+/// One step of the see-through pass: a batch, or a quad of the scene if `quad` ≥ 0.
+struct BlendStep {
+  Batch batch;
+  int quad = -1;
+};
+
+struct DrawList {
+  std::vector<Instance> instances;
+  std::vector<Batch> opaque;  ///< Small things first: what they hide is then not shaded.
+  std::vector<BlendStep> blended;
+};
+
+/// Puts the meshes into the cache. Nodes without a mesh and quads without a picture are left out.
+DrawList make_draw_list(const scene::Scene& scene, const scene::Camera& camera, MeshCache& cache);
+
+}  // namespace trocar::render
