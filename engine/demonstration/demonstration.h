@@ -34,7 +34,11 @@ struct Demonstration {
   double begin_s = 0.0;               ///< Gate: samples before are kept but not used.
   double end_s = 0.0;                 ///< Gate, inclusive.
   std::vector<SegmentSpan> segments;  ///< By begin, not overlapping.
+  /// `hash_of(*samples)`, kept by whoever sets `samples` so that `hash()` is cheap; 0: not known.
+  std::uint64_t samples_hash = 0;
 
+  /// The time of the last sample, gated or not.
+  double full_duration_s() const;
   /// The samples between the gates.
   std::span<const Sample> gated() const;
   /// Of `sample` since the recording's first sample, in seconds.
@@ -44,7 +48,9 @@ struct Demonstration {
   double duration_s() const { return end_s - begin_s; }
   /// The first span with that label, cut to the gates.
   std::optional<SegmentSpan> segment(Segment label) const;
-  /// Of everything that a reader of the demonstration can see; names the version that a model was trained on.
+  /// The gated samples of a span; the last gated sample belongs to a span that ends there.
+  std::span<const Sample> samples_in(const SegmentSpan& span) const;
+  /// Of everything but the id and the name (samples, gates, labels): the version that a model was trained on.
   std::uint64_t hash() const;
 };
 

@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/core/id.h"
+#include "engine/core/result.h"
 #include "engine/core/tick.h"
 #include "engine/peg_board/peg_board.h"
 #include "engine/spatial/pose.h"
@@ -108,8 +110,28 @@ struct Recording {
   std::vector<HashMark> hashes;  ///< Every second, and at the end.
   std::vector<Sample> samples;   ///< By increasing tick.
 
-  /// Of samples, provenance and hashes.
+  /// Of samples, provenance, initial world and hashes.
   std::uint64_t content_hash() const;
 };
+
+/// Hashes samples as they come; independent of how they were grouped.
+class SampleHasher {
+ public:
+  void add(const Sample& sample);
+  std::uint64_t digest() const;
+
+ private:
+  std::array<std::uint64_t, 4> lanes_{0x9E3779B97F4A7C15ULL, 0xC2B2AE3D27D4EB4FULL, 0x165667B19E3779F9ULL,
+                                      0x27D4EB2F165667C5ULL};
+  std::uint64_t count_ = 0;
+};
+std::uint64_t hash_of(std::span<const Sample> samples);
+
+/// `Recording::content_hash` for who does not hold all samples at once.
+std::uint64_t content_hash(std::uint64_t samples_hash, const Provenance& provenance, std::string_view initial_world,
+                           std::span<const HashMark> hashes);
+
+/// Errors: kInvalidArgument naming the sample that is not finite, out of order, or has a label or tick out of range.
+Status check_samples(std::span<const Sample> samples);
 
 }  // namespace trocar::demonstration

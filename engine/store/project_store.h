@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -21,7 +23,14 @@ struct JournalRow {
   std::int64_t parent = 0;  ///< 0: the empty project.
   std::string time;         ///< ISO 8601, UTC.
   std::string name;
-  std::string parameters;  ///< A JSON object.
+  std::string parameters;   ///< A JSON object.
+  std::string description;  ///< For people.
+};
+
+/// Where redo goes from `parent`.
+struct RedoRow {
+  std::int64_t parent = 0;
+  std::int64_t child = 0;
 };
 
 /// A piece of a recording: whole samples, in order.
@@ -35,6 +44,8 @@ struct RecordingRow {
   bool finished = false;
   std::string header;  ///< JSON, written when the recording begins.
   std::string footer;  ///< JSON, written when it is finished.
+  /// The program that began it still has the project open; if not, what is unfinished was cut off.
+  bool writer_lives = false;
 };
 
 /// A named blob that is written once: models, rollout sets.
@@ -44,7 +55,9 @@ struct ObjectRow {
   std::string meta;  ///< JSON.
 };
 
-/// Every write is its own transaction unless inside `transaction`. Threads: one at a time.
+/// Every write is its own transaction unless inside `transaction`, and survives `kill -9` once it has returned. Several
+/// programs may have a project open; their writes take turns. Closing leaves the one file.
+/// Errors of every function: kIo (locked, full disk, read-only), kCorrupt (damaged). Threads: one at a time.
 class ProjectStore {
  public:
   /// Errors: kIo (exists already, folder missing, not writable).
@@ -56,17 +69,30 @@ class ProjectStore {
   ProjectStore& operator=(ProjectStore&&) noexcept;
 
   Result<std::vector<JournalRow>> journal() const;
-  /// Appends with the next id and moves HEAD to it, in one transaction; returns the id.
+  /// The rows after `id`.
+  Result<std::vector<JournalRow>> journal_after(std::int64_t id) const;
+  /// Appends with the next id, moves HEAD to it and lets redo lead to it, in one transaction; returns the id.
   Result<std::int64_t> append(const JournalRow& row);
   Result<std::int64_t> head() const;
   Status set_head(std::int64_t id);
+  /// Moves HEAD and notes where redo goes, in one transaction.
+  Status set_head(std::int64_t id, const std::vector<RedoRow>& redo);
+  Result<std::vector<RedoRow>> redo() const;
 
   Result<std::int64_t> begin_recording(const std::string& header);
   /// Durable when it returns.
   Status append_chunk(std::int64_t recording, const Chunk& chunk);
+  /// Errors: kNotFound if there is no such unfinished recording.
   Status finish_recording(std::int64_t recording, const std::string& footer);
   Result<std::vector<RecordingRow>> recordings() const;
   Result<std::vector<Chunk>> chunks(std::int64_t recording) const;
+  /// Visits the chunks in order without copying them; stops at the first error that `visit` returns.
+  Status visit_chunks(std::int64_t recording,
+                      const std::function<Status(std::int64_t sequence, std::string_view bytes)>& visit) const;
+  /// Takes a recording out for good, with all its chunks.
+  Status discard_recording(std::int64_t recording);
+  /// Nobody writes the recording any more: it counts as cut off, also while this program lives.
+  Status abandon_recording(std::int64_t recording);
 
   Result<std::int64_t> put_object(const std::string& kind, const std::string& meta, const std::string& bytes);
   Result<std::vector<ObjectRow>> objects(const std::string& kind) const;
@@ -75,6 +101,12 @@ class ProjectStore {
   Status set_setting(const std::string& key, const std::string& value);
   Result<std::optional<std::string>> setting(const std::string& key) const;
 
+  /// Runs `work` as one transaction; if it returns an error, nothing of it stays.
+  Status transaction(const std::function<Status()>& work);
+  /// True if another program has changed the project since this was last asked.
+  Result<bool> changed_elsewhere();
+
+  /// Of the file and its log.
   std::int64_t size_bytes() const;
   const std::filesystem::path& path() const;
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,25 +12,15 @@
 #include "engine/core/diagnostics.h"
 #include "engine/core/result.h"
 #include "engine/demonstration/recording.h"
-#include "engine/store/project_store.h"
 #include "engine/workbench/edit.h"
+#include "engine/workbench/history_tree.h"
 #include "engine/workbench/project.h"
+#include "engine/workbench/recording_writer.h"
 
 namespace trocar::workbench {
 
-/// A node of the history tree.
-struct HistoryNode {
-  std::int64_t id = 0;
-  std::int64_t parent = 0;
-  std::string name;
-  std::string description;
-  std::string time;
-};
-
-/// A recording in the making: samples go in, and are on disk at most 0.25 s later. Dropped unfinished, what was
-/// written stays and is recovered when the project is next opened.
-class RecordingWriter;
-
+/// Several programs may have one project open: what another commits becomes a branch of the history here.
+/// Errors of every function: kIo (disk full, locked by another program); then nothing has changed.
 /// Threads: one at a time (the main thread).
 class ProjectFile {
  public:
@@ -57,10 +48,11 @@ class ProjectFile {
   std::int64_t head() const;
   const std::vector<HistoryNode>& history() const;
 
-  /// Errors: kIo (disk full).
+  /// The writer must not outlive this object, which may be moved.
   Result<RecordingWriter> begin_recording(const demonstration::Provenance& provenance,
                                           const std::string& initial_world);
-  /// Stores a whole recording (imports) and returns its id; add it with AddDemonstration.
+  /// Stores a whole recording (imports) and returns its id; add it with AddDemonstration. Of a provenance that is not
+  /// UTF-8 the odd bytes are replaced. Errors: kInvalidArgument for samples that make no demonstration.
   Result<demonstration::RecordingId> store_recording(const demonstration::Recording& recording);
   /// Stores a trained model; add it with AddModel.
   Result<std::int64_t> store_model(const ModelEntry& entry);
@@ -73,28 +65,6 @@ class ProjectFile {
  private:
   struct Impl;
   explicit ProjectFile(std::unique_ptr<Impl> impl);
-  std::unique_ptr<Impl> impl_;
-  friend class RecordingWriter;
-};
-
-/// Precondition: outlived by its project file, which is not moved meanwhile. Threads: that of the project file.
-class RecordingWriter {
- public:
-  ~RecordingWriter();
-  RecordingWriter(RecordingWriter&&) noexcept;
-  RecordingWriter& operator=(RecordingWriter&&) noexcept;
-
-  /// Commits a chunk each 50 samples (0.25 s).
-  Status add(const demonstration::Sample& sample);
-  Status mark(const demonstration::HashMark& mark);
-  /// Writes the rest; the recording can now be added to the project.
-  Result<demonstration::RecordingId> finish(demonstration::Outcome outcome, bool placed);
-  demonstration::RecordingId id() const;
-
- private:
-  friend class ProjectFile;
-  struct Impl;
-  explicit RecordingWriter(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

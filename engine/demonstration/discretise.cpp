@@ -1,0 +1,77 @@
+#include "engine/demonstration/discretise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+namespace trocar::demonstration {
+namespace {
+
+using spatial::CellCoordinates;
+using spatial::CellIndex;
+using spatial::Grid;
+
+/// Appends the cells after `from` up to `to`, one action each, in the order in which the line between the two centres
+/// crosses the faces.
+void walk(const Grid& grid, CellIndex from, CellIndex to, std::vector<CellIndex>& cells) {
+  const CellCoordinates a = grid.coordinates(from);
+  const CellCoordinates b = grid.coordinates(to);
+  const std::array<int, 3> difference{b.x - a.x, b.y - a.y, b.z - a.z};
+  std::array<int, 3> at{a.x, a.y, a.z};
+  std::array<int, 3> taken{0, 0, 0};
+  const int steps = std::abs(difference[0]) + std::abs(difference[1]) + std::abs(difference[2]);
+  for (int step = 0; step < steps; ++step) {
+    std::size_t next = 3;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int total = std::abs(difference[axis]);
+      if (taken[axis] == total) continue;
+      // The crossing is at (taken + ½) / total of the line; compared crosswise, in whole numbers, so that ties are
+      // ties.
+      if (next == 3 || (2 * taken[axis] + 1) * std::abs(difference[next]) < (2 * taken[next] + 1) * total) next = axis;
+    }
+    at[next] += difference[next] > 0 ? 1 : -1;
+    ++taken[next];
+    cells.push_back(grid.index({at[0], at[1], at[2]}));
+  }
+}
+
+}  // namespace
+
+Result<CellPath> discretise(const Demonstration& demonstration, Segment label, const Grid& grid) {
+  const std::optional<SegmentSpan> span = demonstration.segment(label);
+  if (!span) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("{} has no segment {}", demonstration.name, letter(label)));
+  }
+  CellPath path;
+  int inside = 0;
+  double error_sum_m = 0.0;
+  for (const Sample& sample : demonstration.samples_in(*span)) {
+    const std::array<float, 3>& p = sample.arms[0].measured.p;
+    const Eigen::Vector3d p_WT(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
+    const Result<CellIndex> cell = grid.cell_at(p_WT);
+    if (!cell) {
+      ++path.outside;
+      continue;
+    }
+    const double error_m = (p_WT - grid.centre(*cell)).norm();
+    path.max_error_m = std::max(path.max_error_m, error_m);
+    error_sum_m += error_m;
+    ++inside;
+    if (path.cells.empty()) {
+      path.cells.push_back(*cell);
+    } else {
+      walk(grid, path.cells.back(), *cell, path.cells);
+    }
+  }
+  if (path.cells.size() < 2) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("segment {} of {} covers fewer than 2 cells of the lattice ({} samples lie outside of it)",
+                            letter(label), demonstration.name, path.outside));
+  }
+  path.mean_error_m = error_sum_m / inside;
+  return path;
+}
+
+}  // namespace trocar::demonstration

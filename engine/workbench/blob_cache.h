@@ -1,0 +1,32 @@
+/// Recordings and models of a project, read from the store once and then shared.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "engine/store/project_store.h"
+#include "engine/workbench/edit.h"
+
+namespace trocar::workbench {
+
+/// Precondition: outlived by the store. Threads: one at a time.
+class BlobCache final : public BlobSource {
+ public:
+  explicit BlobCache(const store::ProjectStore& store) : store_(store) {}
+
+  /// Errors: kNotFound; kCorrupt for one that is unfinished or does not match its own hash.
+  Result<std::shared_ptr<const demonstration::Recording>> recording(demonstration::RecordingId id) const override;
+  Result<ModelEntry> model(std::int64_t object) const override;
+
+ private:
+  const store::ProjectStore& store_;
+  // Kept as long as the project is open: undo and redo may need any of them again within a frame.
+  mutable std::map<demonstration::RecordingId, std::shared_ptr<const demonstration::Recording>> recordings_;
+  mutable std::map<std::int64_t, ModelEntry> models_;
+};
+
+/// Reads a recording's chunks as far as they are whole and in order; `row` need not be finished.
+/// Errors: kCorrupt for a damaged header, kUnsupported for another layout of samples.
+Result<demonstration::Recording> read_whole_chunks(const store::ProjectStore& store, const store::RecordingRow& row);
+
+}  // namespace trocar::workbench

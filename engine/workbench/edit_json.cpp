@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/workbench/edit.h"
+
+namespace trocar::workbench {
+namespace {
+
+using nlohmann::json;
+
+tl::unexpected<Error> corrupt(std::string message) {
+  return fail(ErrorCode::kCorrupt, std::move(message));
+}
+
+struct Printer {
+  json operator()(const AddDemonstration& edit) const {
+    return {{"recording", edit.recording.value}, {"name", edit.name}};
+  }
+  json operator()(const RemoveDemonstration& edit) const { return {{"demonstration", edit.demonstration.value}}; }
+  json operator()(const EditDemonstration& edit) const {
+    return {{"demonstration", edit.demonstration.value},
+            {"edit", std::string(demonstration::name_of(edit.edit))},
+            {"parameters", json::parse(demonstration::to_json(edit.edit), nullptr, false)}};
+  }
+  json operator()(const AddModel& edit) const { return {{"object", edit.object}}; }
+  json operator()(const RemoveModel& edit) const { return {{"model", edit.model.value}}; }
+};
+
+Result<std::int64_t> id_at(const json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number_integer()) {
+    return corrupt(fmt::format("the parameter {} must be there and be a whole number", key));
+  }
+  return found->get<std::int64_t>();
+}
+
+Result<std::string> text_at(const json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_string()) {
+    return corrupt(fmt::format("the parameter {} must be there and be text", key));
+  }
+  return found->get<std::string>();
+}
+
+Result<Edit> add_demonstration(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t recording, id_at(object, "recording"));
+  TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(object, "name"));
+  return AddDemonstration{demonstration::RecordingId{recording}, std::move(name)};
+}
+
+Result<Edit> edit_demonstration(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
+  TROCAR_ASSIGN_OR_RETURN(const std::string name, text_at(object, "edit"));
+  const auto parameters = object.find("parameters");
+  if (parameters == object.end()) return corrupt("the edit has no parameters");
+  const std::string text = parameters->dump(-1, ' ', false, json::error_handler_t::replace);
+  TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit, demonstration::edit_from_json(name, text));
+  return EditDemonstration{DemonstrationId{id}, std::move(edit)};
+}
+
+}  // namespace
+
+std::string to_json(const Edit& edit) {
+  return std::visit(Printer{}, edit).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+Result<Edit> edit_from_json(std::string_view name, std::string_view text) {
+  const json object = json::parse(text, nullptr, false);
+  if (!object.is_object()) return corrupt("the parameters of an edit must be a JSON object");
+  if (name == AddDemonstration::kName) return add_demonstration(object);
+  if (name == EditDemonstration::kName) return edit_demonstration(object);
+  if (name == RemoveDemonstration::kName) {
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
+    return RemoveDemonstration{DemonstrationId{id}};
+  }
+  if (name == AddModel::kName) {
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "object"));
+    return AddModel{id};
+  }
+  if (name == RemoveModel::kName) {
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "model"));
+    return RemoveModel{ModelId{id}};
+  }
+  return corrupt(fmt::format("no edit is named {}", name));
+}
+
+}  // namespace trocar::workbench

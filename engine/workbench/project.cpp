@@ -1,0 +1,29 @@
+#include "engine/workbench/project.h"
+
+#include <algorithm>
+
+#include "engine/core/hash.h"
+
+namespace trocar::workbench {
+
+bool Project::stale(const ModelEntry& model) const {
+  for (std::size_t i = 0; i < model.demonstrations.size(); ++i) {
+    const auto found = demonstrations.find(model.demonstrations[i]);
+    if (found == demonstrations.end() || i >= model.demonstration_hashes.size()) return true;
+    if (found->second->hash() != model.demonstration_hashes[i]) return true;
+  }
+  return false;
+}
+
+std::uint64_t Project::hash() const {
+  Hasher hasher;
+  hasher.value(demonstrations.size());
+  for (const auto& [id, document] : demonstrations) hasher.value(id.value).text(document->name).value(document->hash());
+  hasher.value(models.size());
+  for (const auto& [id, entry] : models) {
+    hasher.value(id.value).text(entry->name).value(entry->segment).value(entry->model->hash());
+  }
+  return hasher.digest();
+}
+
+}  // namespace trocar::workbench

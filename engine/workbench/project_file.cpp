@@ -1,0 +1,256 @@
+#include "engine/workbench/project_file.h"
+
+#include <fmt/format.h>
+
+#include <unordered_map>
+#include <utility>
+
+#include "engine/store/project_store.h"
+#include "engine/workbench/blob_cache.h"
+#include "engine/workbench/model_codec.h"
+#include "engine/workbench/recovery.h"
+
+namespace trocar::workbench {
+namespace {
+
+using ProjectPointer = std::shared_ptr<const Project>;
+
+/// The document of every 64th node of a branch stays in memory: an undo applies at most 63 edits.
+constexpr int kKeyframeDistance = 64;
+
+struct JournalEntry {
+  std::string name;
+  std::string parameters;
+};
+
+}  // namespace
+
+struct ProjectFile::Impl {
+  Impl(store::ProjectStore opened, std::shared_ptr<const Clock> wall)
+      : store(std::move(opened)), clock(std::move(wall)) {}
+
+  store::ProjectStore store;
+  std::shared_ptr<const Clock> clock;
+  BlobCache blobs{store};
+  HistoryTree tree;
+  std::unordered_map<std::int64_t, JournalEntry> entries;
+  std::unordered_map<std::int64_t, ProjectPointer> keyframes{{0, std::make_shared<const Project>()}};
+  std::int64_t head = 0;
+  ProjectPointer project = keyframes.at(0);
+
+  Status take_rows(std::vector<store::JournalRow> rows);
+  Status refresh();
+  Result<ProjectPointer> step(const ProjectPointer& before, std::int64_t node) const;
+  Result<ProjectPointer> document_at(std::int64_t node);
+  void keep(std::int64_t node, const ProjectPointer& document);
+  Status load();
+  Status move_to(std::int64_t node);
+  Status append(const Edit& edit, const ProjectPointer& edited, std::int64_t expected_id);
+};
+
+Status ProjectFile::Impl::take_rows(std::vector<store::JournalRow> rows) {
+  for (store::JournalRow& row : rows) {
+    TROCAR_RETURN_IF_ERROR(tree.add({row.id, row.parent, row.name, std::move(row.description), std::move(row.time)}));
+    entries[row.id] = {std::move(row.name), std::move(row.parameters)};
+  }
+  return {};
+}
+
+/// Takes in what other programs have committed since.
+Status ProjectFile::Impl::refresh() {
+  TROCAR_ASSIGN_OR_RETURN(const bool changed, store.changed_elsewhere());
+  if (!changed) return {};
+  TROCAR_ASSIGN_OR_RETURN(auto rows, store.journal_after(tree.newest()));
+  return take_rows(std::move(rows));
+}
+
+Result<ProjectPointer> ProjectFile::Impl::step(const ProjectPointer& before, std::int64_t node) const {
+  const JournalEntry& entry = entries.at(node);
+  Result<Edit> edit = edit_from_json(entry.name, entry.parameters);
+  Result<ProjectPointer> after = edit ? apply(*before, *edit, node, blobs) : tl::unexpected(std::move(edit).error());
+  if (after) return after;
+  return tl::unexpected(Error(ErrorCode::kCorrupt, fmt::format("the history's entry {} ({}) cannot be applied: {}",
+                                                               node, entry.name, after.error().text()))
+                            .at(store.path().string()));
+}
+
+void ProjectFile::Impl::keep(std::int64_t node, const ProjectPointer& document) {
+  if (tree.depth(node) % kKeyframeDistance == 0) keyframes[node] = document;
+}
+
+Result<ProjectPointer> ProjectFile::Impl::document_at(std::int64_t node) {
+  std::int64_t from = node;
+  while (from != head && !keyframes.contains(from)) from = tree.parent(from);
+  ProjectPointer document = from == head ? project : keyframes.at(from);
+  for (const std::int64_t next : tree.path(from, node)) {
+    TROCAR_ASSIGN_OR_RETURN(document, step(document, next));
+    keep(next, document);
+  }
+  return document;
+}
+
+Status ProjectFile::Impl::load() {
+  TROCAR_ASSIGN_OR_RETURN(auto rows, store.journal());
+  TROCAR_RETURN_IF_ERROR(take_rows(std::move(rows)));
+  TROCAR_ASSIGN_OR_RETURN(const auto redo, store.redo());
+  for (const store::RedoRow& row : redo) {
+    if (row.child != 0 && tree.contains(row.child) && tree.parent(row.child) == row.parent) {
+      tree.set_redo(row.parent, row.child);
+    }
+  }
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t node, store.head());
+  if (!tree.contains(node)) {
+    return fail(ErrorCode::kCorrupt, fmt::format("the project stands at an unknown point {} of its history", node));
+  }
+  TROCAR_ASSIGN_OR_RETURN(project, document_at(node));
+  head = node;
+  return {};
+}
+
+/// Redo of each node that is left on the way up leads back down to where we came from.
+Status ProjectFile::Impl::move_to(std::int64_t node) {
+  TROCAR_ASSIGN_OR_RETURN(const ProjectPointer document, document_at(node));
+  std::vector<store::RedoRow> left;
+  for (std::int64_t at = head; at != 0 && at != node; at = tree.parent(at)) {
+    const std::int64_t above = tree.parent(at);
+    if (tree.redo(above) != at) left.push_back({above, at});
+  }
+  TROCAR_RETURN_IF_ERROR(store.set_head(node, left));
+  for (const store::RedoRow& row : left) tree.set_redo(row.parent, row.child);
+  head = node;
+  project = document;
+  return {};
+}
+
+Status ProjectFile::Impl::append(const Edit& edit, const ProjectPointer& edited, std::int64_t expected_id) {
+  store::JournalRow row;
+  row.parent = head;
+  row.time = iso_time(clock->unix_s());
+  row.name = std::string(name_of(edit));
+  row.parameters = to_json(edit);
+  row.description = describe(edit, *project);
+  TROCAR_RETURN_IF_ERROR(store.transaction([&]() -> Status {
+    TROCAR_ASSIGN_OR_RETURN(row.id, store.append(row));
+    if (row.id == expected_id) return {};
+    return fail(ErrorCode::kIo, "another program has changed the project at the same moment");
+  }));
+  TROCAR_RETURN_IF_ERROR(take_rows({row}));
+  keep(row.id, edited);
+  head = row.id;
+  project = edited;
+  return {};
+}
+
+ProjectFile::ProjectFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ProjectFile::~ProjectFile() = default;
+ProjectFile::ProjectFile(ProjectFile&&) noexcept = default;
+ProjectFile& ProjectFile::operator=(ProjectFile&&) noexcept = default;
+
+Result<ProjectFile> ProjectFile::create(const std::filesystem::path& path, std::shared_ptr<const Clock> clock) {
+  TROCAR_ASSIGN_OR_RETURN(store::ProjectStore store, store::ProjectStore::create(path));
+  return ProjectFile(std::make_unique<Impl>(std::move(store), std::move(clock)));
+}
+
+Result<ProjectFile> ProjectFile::open(const std::filesystem::path& path, std::shared_ptr<const Clock> clock,
+                                      Diagnostics& diagnostics) {
+  TROCAR_ASSIGN_OR_RETURN(store::ProjectStore store, store::ProjectStore::open(path));
+  ProjectFile file(std::make_unique<Impl>(std::move(store), std::move(clock)));
+  Status loaded = file.impl_->load();
+  if (!loaded) return tl::unexpected(std::move(loaded).error().at(path.string()));
+  TROCAR_ASSIGN_OR_RETURN(const auto journal, file.impl_->store.journal());
+  for (const Recovered& recovered : recover_recordings(file.impl_->store, journal, diagnostics)) {
+    const Result<std::int64_t> added = file.commit(AddDemonstration{recovered.recording, recovered.name});
+    if (!added) diagnostics.warn(added.error().text());
+  }
+  return file;
+}
+
+std::shared_ptr<const Project> ProjectFile::project() const {
+  return impl_->project;
+}
+
+Result<std::int64_t> ProjectFile::commit(const Edit& edit) {
+  TROCAR_RETURN_IF_ERROR(impl_->refresh());
+  const std::int64_t id = impl_->tree.newest() + 1;
+  TROCAR_ASSIGN_OR_RETURN(const ProjectPointer edited, apply(*impl_->project, edit, id, impl_->blobs));
+  TROCAR_RETURN_IF_ERROR(impl_->append(edit, edited, id));
+  return id;
+}
+
+Status ProjectFile::undo() {
+  if (!undoable()) return fail(ErrorCode::kInvalidArgument, "there is nothing to undo");
+  return impl_->move_to(impl_->tree.parent(impl_->head));
+}
+
+Status ProjectFile::redo() {
+  const std::optional<std::int64_t> next = impl_->tree.redo(impl_->head);
+  if (!next) return fail(ErrorCode::kInvalidArgument, "there is nothing to redo");
+  return impl_->move_to(*next);
+}
+
+bool ProjectFile::undoable() const {
+  return impl_->head != 0;
+}
+
+bool ProjectFile::redoable() const {
+  return impl_->tree.redo(impl_->head).has_value();
+}
+
+Status ProjectFile::go_to(std::int64_t node) {
+  TROCAR_RETURN_IF_ERROR(impl_->refresh());
+  if (!impl_->tree.contains(node)) {
+    return fail(ErrorCode::kNotFound, fmt::format("the history has no entry {}", node));
+  }
+  return impl_->move_to(node);
+}
+
+std::int64_t ProjectFile::head() const {
+  return impl_->head;
+}
+
+const std::vector<HistoryNode>& ProjectFile::history() const {
+  return impl_->tree.nodes();
+}
+
+Result<RecordingWriter> ProjectFile::begin_recording(const demonstration::Provenance& provenance,
+                                                     const std::string& initial_world) {
+  return RecordingWriter::begin(impl_->store, provenance, initial_world);
+}
+
+Result<demonstration::RecordingId> ProjectFile::store_recording(const demonstration::Recording& recording) {
+  TROCAR_RETURN_IF_ERROR(demonstration::check_samples(recording.samples));
+  demonstration::RecordingId id;
+  const auto work = [&]() -> Status {
+    TROCAR_ASSIGN_OR_RETURN(RecordingWriter writer, begin_recording(recording.provenance, recording.initial_world));
+    for (const demonstration::Sample& sample : recording.samples) TROCAR_RETURN_IF_ERROR(writer.add(sample));
+    for (const demonstration::HashMark& mark : recording.hashes) TROCAR_RETURN_IF_ERROR(writer.mark(mark));
+    TROCAR_ASSIGN_OR_RETURN(id, writer.finish(recording.outcome, recording.placed));
+    return {};
+  };
+  TROCAR_RETURN_IF_ERROR(impl_->store.transaction(work));
+  return id;
+}
+
+Result<std::int64_t> ProjectFile::store_model(const ModelEntry& entry) {
+  if (entry.model == nullptr) return fail(ErrorCode::kInvalidArgument, "there is no model to store");
+  const EncodedModel encoded = encode_model(entry);
+  return impl_->store.put_object(kModelKind, encoded.meta, encoded.bytes);
+}
+
+Status ProjectFile::set_setting(const std::string& key, const std::string& value) {
+  return impl_->store.set_setting(key, value);
+}
+
+Result<std::optional<std::string>> ProjectFile::setting(const std::string& key) const {
+  return impl_->store.setting(key);
+}
+
+std::int64_t ProjectFile::size_bytes() const {
+  return impl_->store.size_bytes();
+}
+
+const std::filesystem::path& ProjectFile::path() const {
+  return impl_->store.path();
+}
+
+}  // namespace trocar::workbench
