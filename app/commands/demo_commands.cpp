@@ -1,0 +1,130 @@
+#include "app/commands/demo_commands.h"
+
+#include <fmt/format.h>
+
+namespace trocar::app {
+namespace {
+
+double path_length_m(const demonstration::Demonstration& demonstration) {
+  double length = 0.0;
+  const demonstration::Sample* before = nullptr;
+  for (const demonstration::Sample& sample : demonstration.gated()) {
+    if (before != nullptr) {
+      length += (sample.arms[0].measured.pose().p - before->arms[0].measured.pose().p).norm();
+    }
+    before = &sample;
+  }
+  return length;
+}
+
+Json provenance_json(const demonstration::Provenance& provenance) {
+  return {{"operator", provenance.operator_kind},
+          {"skill", provenance.skill},
+          {"device", provenance.device},
+          {"seed", provenance.seed},
+          {"block", provenance.block},
+          {"goal", provenance.goal},
+          {"scene_hash", provenance.scene_hash},
+          {"software", provenance.software},
+          {"created", provenance.created}};
+}
+
+struct ListArguments {
+  std::string project;
+};
+
+std::string letters_of(const Json& segments) {
+  std::string letters;
+  for (const Json& segment : segments) letters += segment["label"].get<std::string>();
+  return letters;
+}
+
+Result<Answer> run_list(const ListArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  Answer answer;
+  answer.json = {{"demonstrations", Json::array()}};
+  answer.summary = counted(file.project()->demonstrations.size(), "demonstration");
+  for (const auto& [id, demonstration] : file.project()->demonstrations) {
+    const Json json = demonstration_json(*demonstration);
+    answer.text += fmt::format(
+        "{}{:>4}  {:<24} {:>7.2f} s  {:>6} samples  {:<6} {:>5.0f} mm  {}", answer.text.empty() ? "" : "\n", id.value,
+        demonstration->name, demonstration->duration_s(), json["samples"].get<std::int64_t>(),
+        letters_of(json["segments"]), 1e3 * json["path_length_m"].get<double>(), json["outcome"].get<std::string>());
+    answer.json["demonstrations"].push_back(json);
+  }
+  return answer;
+}
+
+struct ShowArguments {
+  std::string project;
+  std::string demonstration;
+};
+
+Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
+  Answer answer;
+  answer.json = demonstration_json(*demonstration);
+  answer.summary = fmt::format("{}: {:.2f} s, {} samples", demonstration->name, demonstration->duration_s(),
+                               demonstration->gated().size());
+  for (const auto& [key, value] : answer.json.items()) {
+    if (value.is_structured()) continue;
+    answer.text += fmt::format("{:<16} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  for (const auto& [key, value] : answer.json["provenance"].items()) {
+    answer.text += fmt::format("{:<16} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  for (const demonstration::SegmentSpan& span : demonstration->segments) {
+    answer.text += fmt::format("segment {}        {:.2f} … {:.2f} s\n", demonstration::letter(span.label), span.begin_s,
+                               span.end_s);
+  }
+  answer.text.pop_back();
+  return answer;
+}
+
+}  // namespace
+
+Json demonstration_json(const demonstration::Demonstration& demonstration) {
+  const demonstration::Recording& recording = *demonstration.recording;
+  const std::size_t samples = demonstration.gated().size();
+  const double duration_s = demonstration.duration_s();
+  Json segments = Json::array();
+  for (const demonstration::SegmentSpan& span : demonstration.segments) {
+    segments.push_back({{"label", std::string(1, demonstration::letter(span.label))},
+                        {"begin_s", span.begin_s},
+                        {"end_s", span.end_s}});
+  }
+  return {{"id", demonstration.id.value},
+          {"name", demonstration.name},
+          {"duration_s", duration_s},
+          {"begin_s", demonstration.begin_s},
+          {"end_s", demonstration.end_s},
+          {"samples", samples},
+          {"rate_hz", duration_s > 0.0 ? static_cast<double>(samples - 1) / duration_s : 0.0},
+          {"segments", segments},
+          {"path_length_m", path_length_m(demonstration)},
+          {"outcome", demonstration::to_string(recording.outcome)},
+          {"placed", recording.placed},
+          {"recovered", recording.recovered},
+          {"hash", hash_text(demonstration.hash())},
+          {"provenance", provenance_json(recording.provenance)}};
+}
+
+void add_demo_commands(CLI::App& root, Action& chosen) {
+  CLI::App& noun =
+      *root.add_subcommand("demo", "Record, edit, check, replay and exchange demonstrations")->require_subcommand(1);
+  add_verb<ListArguments>(
+      noun, chosen, "list", "List the demonstrations",
+      [](CLI::App& verb, ListArguments& a) { verb.add_option("PROJECT", a.project, "The project file")->required(); },
+      run_list);
+  add_verb<ShowArguments>(
+      noun, chosen, "show", "Say everything about one demonstration",
+      [](CLI::App& verb, ShowArguments& a) {
+        verb.add_option("PROJECT", a.project, "The project file")->required();
+        verb.add_option("DEMO", a.demonstration, "Its id or name")->required();
+      },
+      run_show);
+  add_demo_edit_commands(noun, chosen);
+}
+
+}  // namespace trocar::app

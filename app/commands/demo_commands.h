@@ -1,0 +1,17 @@
+/// The verbs of `trocar demo`, in groups; and how every one of them shows a demonstration.
+#pragma once
+
+#include "app/lookup.h"
+#include "app/options.h"
+
+namespace trocar::app {
+
+void add_demo_record_commands(CLI::App& noun, Action& chosen);    ///< record, replay
+void add_demo_edit_commands(CLI::App& noun, Action& chosen);      ///< edit, remove
+void add_demo_check_commands(CLI::App& noun, Action& chosen);     ///< check, diff
+void add_demo_exchange_commands(CLI::App& noun, Action& chosen);  ///< import, export
+
+/// What `demo list` and `demo show` say of one demonstration.
+Json demonstration_json(const demonstration::Demonstration& demonstration);
+
+}  // namespace trocar::app

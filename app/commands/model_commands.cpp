@@ -1,0 +1,261 @@
+#include <fmt/format.h>
+
+#include "app/lookup.h"
+#include "app/options.h"
+#include "engine/learning/rollout.h"
+#include "engine/workbench/jobs/train_job.h"
+
+namespace trocar::app {
+namespace {
+
+struct TrainArguments {
+  std::string project;
+  std::vector<std::string> demonstrations;
+  std::string segment = "A";
+  std::string method = "exact";
+  learning::TrainOptions options;
+  int grid = 22;
+  std::string name;
+};
+
+void bind_train(CLI::App& verb, TrainArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("DEMO", arguments.demonstrations, "Demonstrations by id or name; the first gives start and goal")
+      ->required();
+  verb.add_option("--segment", arguments.segment, "The agent's segment, A or C")->capture_default_str();
+  verb.add_option("--method", arguments.method, "eg-maxent, eg-maxent+ or exact")->capture_default_str();
+  verb.add_option("--epsilon", arguments.options.epsilon, "Exploration ε, 0 … 1 (0 … 0.1 in the paper)")
+      ->capture_default_str();
+  verb.add_option("--episodes", arguments.options.episodes, "Episodes N")->capture_default_str();
+  verb.add_option("--seed", arguments.options.seed, "Seed of the random numbers")->capture_default_str();
+  verb.add_option("--grid", arguments.grid, "Cells a side")->capture_default_str();
+  verb.add_option("--name", arguments.name, "Name of the model (else made from method and segment)");
+}
+
+std::string method_text(const learning::Model& model) {
+  return std::string(learning::to_string(model.options.method));
+}
+
+struct Success {
+  learning::Basin basin;
+  bool arrival_from_start = false;
+  learning::RolloutSummary all;
+};
+
+Success success_of(const learning::Model& model) {
+  Success success;
+  success.basin = learning::basin(model, learning::greedy_policy(model));
+  success.arrival_from_start =
+      success.basin.end[static_cast<std::size_t>(model.start.value)] == learning::RolloutEnd::kArrives;
+  std::vector<spatial::CellIndex> cells;
+  for (int i = 0; i < model.grid.cell_count(); ++i) cells.push_back({i});
+  success.all = learning::summarise(success.basin, cells);
+  return success;
+}
+
+Json summary_json(const workbench::Project& project, const workbench::ModelEntry& entry) {
+  const learning::Model& model = *entry.model;
+  const learning::Exploration exploration = learning::exploration(model);
+  Json json = {{"id", entry.id.value},
+               {"name", entry.name},
+               {"method", method_text(model)},
+               {"segment", std::string(1, demonstration::letter(entry.segment))},
+               {"epsilon", model.options.epsilon},
+               {"episodes", model.options.episodes},
+               {"seed", model.options.seed},
+               {"grid", model.grid.n},
+               {"states", model.grid.cell_count()},
+               {"seconds", model.seconds},
+               {"fully_explored", exploration.fully_explored},
+               {"partly_explored", exploration.partly_explored},
+               {"fully_unexplored", exploration.fully_unexplored},
+               {"stale", project.stale(entry)},
+               {"hash", hash_text(model.hash())},
+               {"created", entry.created},
+               {"demonstrations", Json::array()}};
+  for (const demonstration::DemonstrationId id : entry.demonstrations) json["demonstrations"].push_back(id.value);
+  return json;
+}
+
+Json full_json(const workbench::Project& project, const workbench::ModelEntry& entry) {
+  const learning::Model& model = *entry.model;
+  const Success success = success_of(model);
+  Json json = summary_json(project, entry);
+  const auto cell = [&](spatial::CellIndex index) {
+    const spatial::CellCoordinates c = model.grid.coordinates(index);
+    return Json{{"i", c.x}, {"j", c.y}, {"k", c.z}};
+  };
+  json["start"] = cell(model.start);
+  json["goal"] = cell(model.goal);
+  json["expert_cells"] = model.experts.front().size();
+  json["safe_cells"] = model.safe.count();
+  json["arrival_from_start"] = success.arrival_from_start;
+  json["arrived_from_all"] = success.all.arrived;
+  json["mismatch"] = model.curve.empty() ? Json() : Json(model.curve.back());
+  return json;
+}
+
+std::string line_of(const Json& json) {
+  return fmt::format(
+      "{}: {} explored fully, {} not at all, {} from the start, {:.3f} s", json["name"].get<std::string>(),
+      json["fully_explored"].get<int>(), json["fully_unexplored"].get<int>(),
+      json["arrival_from_start"].get<bool>() ? "arrives" : "does not arrive", json["seconds"].get<double>());
+}
+
+Result<Answer> run_train(const TrainArguments& arguments, Console& console) {
+  workbench::TrainModel request;
+  TROCAR_ASSIGN_OR_RETURN(request.segment, segment_from(arguments.segment));
+  request.options = arguments.options;
+  TROCAR_ASSIGN_OR_RETURN(request.options.method, learning::method_from(arguments.method));
+  request.grid = arguments.grid;
+  request.name = arguments.name;
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(arguments.project, console));
+  for (const std::string& text : arguments.demonstrations) {
+    TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), text));
+    request.demonstrations.push_back(demonstration->id);
+  }
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ModelEntry trained,
+                          workbench::train_model(*file.project(), request, console.progress()));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t object, file.store_model(trained));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(workbench::AddModel{object}));
+  const auto& entry = *file.project()->models.at(workbench::ModelId{id});
+  Answer answer;
+  answer.json = full_json(*file.project(), entry);
+  answer.json["seconds"] = trained.model->seconds;
+  answer.summary = line_of(answer.json);
+  answer.text = fmt::format("Model {}, {}", id, answer.summary);
+  return answer;
+}
+
+struct ListArguments {
+  std::string project;
+};
+
+Result<Answer> run_list(const ListArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  Answer answer;
+  answer.json = {{"models", Json::array()}};
+  answer.summary = counted(file.project()->models.size(), "model");
+  for (const auto& [id, entry] : file.project()->models) {
+    const Json json = summary_json(*file.project(), *entry);
+    answer.text += fmt::format("{}{:>4}  {:<24} {:<11} {}  ε {:<5} {:>6} explored, {:>6} unexplored{}",
+                               answer.text.empty() ? "" : "\n", id.value, entry->name, method_text(*entry->model),
+                               demonstration::letter(entry->segment), entry->model->options.epsilon,
+                               json["fully_explored"].get<int>(), json["fully_unexplored"].get<int>(),
+                               json["stale"].get<bool>() ? "  stale" : "");
+    answer.json["models"].push_back(json);
+  }
+  return answer;
+}
+
+struct ShowArguments {
+  std::string project;
+  std::string model;
+};
+
+Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
+  Answer answer;
+  answer.json = full_json(*file.project(), *entry);
+  answer.summary = line_of(answer.json);
+  for (const auto& [key, value] : answer.json.items()) {
+    answer.text += fmt::format("{}{:<20} {}", answer.text.empty() ? "" : "\n", key,
+                               value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return answer;
+}
+
+struct CompareArguments {
+  std::string project;
+  std::string model_a;
+  std::string model_b;
+};
+
+/// Both values, and B's change against A in per cent; null where A is 0.
+Json change(int a, int b) {
+  return {{"a", a}, {"b", b}, {"change_percent", a == 0 ? Json() : Json(100.0 * (b - a) / a)}};
+}
+
+Json around_json(const learning::Model& a, const Success& success_a, const Success& success_b) {
+  Json rows = Json::array();
+  for (int k = 1; k <= 5; ++k) {
+    const std::vector<spatial::CellIndex> starts = learning::starts_around(a, k);
+    const learning::RolloutSummary of_a = learning::summarise(success_a.basin, starts);
+    const learning::RolloutSummary of_b = learning::summarise(success_b.basin, starts);
+    rows.push_back({{"k", k},
+                    {"count", of_a.count},
+                    {"arrived_a", of_a.arrived},
+                    {"arrived_b", of_b.arrived},
+                    {"from_above_a", of_a.from_above},
+                    {"from_above_b", of_b.from_above}});
+  }
+  return rows;
+}
+
+Result<Answer> run_compare(const CompareArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto entry_a, find_model(*file.project(), arguments.model_a));
+  TROCAR_ASSIGN_OR_RETURN(const auto entry_b, find_model(*file.project(), arguments.model_b));
+  const learning::Model& a = *entry_a->model;
+  const learning::Model& b = *entry_b->model;
+  if (a.grid != b.grid) return fail(ErrorCode::kInvalidArgument, "the models have different lattices");
+  const learning::Exploration explored_a = learning::exploration(a);
+  const learning::Exploration explored_b = learning::exploration(b);
+  const std::vector<std::uint8_t> policy_a = learning::greedy_policy(a);
+  const std::vector<std::uint8_t> policy_b = learning::greedy_policy(b);
+  int changed = 0;
+  for (std::size_t i = 0; i < policy_a.size(); ++i) changed += policy_a[i] == policy_b[i] ? 0 : 1;
+  const Success success_a = success_of(a);
+  const Success success_b = success_of(b);
+  const double changed_percent = 100.0 * changed / static_cast<double>(policy_a.size());
+
+  Answer answer;
+  answer.json = {{"model_a", entry_a->id.value},
+                 {"model_b", entry_b->id.value},
+                 {"fully_explored", change(explored_a.fully_explored, explored_b.fully_explored)},
+                 {"partly_explored", change(explored_a.partly_explored, explored_b.partly_explored)},
+                 {"fully_unexplored", change(explored_a.fully_unexplored, explored_b.fully_unexplored)},
+                 {"policy_changed", changed},
+                 {"policy_changed_percent", changed_percent},
+                 {"success", change(success_a.all.arrived, success_b.all.arrived)},
+                 {"around", around_json(a, success_a, success_b)}};
+  const auto percent = [&](const char* key) {
+    const Json& value = answer.json[key]["change_percent"];
+    return value.is_null() ? std::string("n/a") : fmt::format("{:+.0f} %", value.get<double>());
+  };
+  answer.summary = fmt::format("fully explored {}, fully unexplored {}, policy differs in {} cells",
+                               percent("fully_explored"), percent("fully_unexplored"), changed);
+  answer.text =
+      fmt::format("{} against {}: {} ({:.1f} %), arrives from {} cells against {}", entry_b->name, entry_a->name,
+                  answer.summary, changed_percent, success_b.all.arrived, success_a.all.arrived);
+  return answer;
+}
+
+}  // namespace
+
+void add_model_commands(CLI::App& root, Action& chosen) {
+  CLI::App& noun = *root.add_subcommand("model", "Train models, list and compare them")->require_subcommand(1);
+  add_verb<TrainArguments>(noun, chosen, "train", "Learn reward and policy from demonstrations", bind_train, run_train);
+  add_verb<ListArguments>(
+      noun, chosen, "list", "List the models",
+      [](CLI::App& verb, ListArguments& a) { verb.add_option("PROJECT", a.project, "The project file")->required(); },
+      run_list);
+  add_verb<ShowArguments>(
+      noun, chosen, "show", "Say everything about one model",
+      [](CLI::App& verb, ShowArguments& a) {
+        verb.add_option("PROJECT", a.project, "The project file")->required();
+        verb.add_option("MODEL", a.model, "Its id or name")->required();
+      },
+      run_show);
+  add_verb<CompareArguments>(
+      noun, chosen, "compare", "Say what model B changes against model A",
+      [](CLI::App& verb, CompareArguments& a) {
+        verb.add_option("PROJECT", a.project, "The project file")->required();
+        verb.add_option("MODEL_A", a.model_a, "Id or name")->required();
+        verb.add_option("MODEL_B", a.model_b, "Id or name")->required();
+      },
+      run_compare);
+}
+
+}  // namespace trocar::app

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <functional>
+#include <map>
+
+#include "app/lookup.h"
+#include "app/options.h"
+#include "engine/store/project_store.h"
+
+namespace trocar::app {
+namespace {
+
+struct ProjectArguments {
+  std::string project;
+};
+
+void bind(CLI::App& verb, ProjectArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file, NAME.trocar")->required();
+}
+
+Result<Answer> run_new(const ProjectArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          workbench::ProjectFile::create(arguments.project, console.clock));
+  Answer answer;
+  answer.json = {{"path", arguments.project}, {"schema", store::kSchemaVersion}, {"size_bytes", file.size_bytes()}};
+  answer.summary = "an empty project";
+  answer.text = fmt::format("Made {}", arguments.project);
+  return answer;
+}
+
+Result<Answer> run_info(const ProjectArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  const auto project = file.project();
+  constexpr int kTrials = 0;  // No command makes a trial yet, so that no project holds one.
+  Answer answer;
+  answer.json = {{"demonstrations", project->demonstrations.size()},
+                 {"models", project->models.size()},
+                 {"trials", kTrials},
+                 {"edits", file.history().size()},
+                 {"head", file.head()},
+                 {"schema", store::kSchemaVersion},
+                 {"size_bytes", file.size_bytes()},
+                 {"hash", hash_text(project->hash())}};
+  answer.summary = fmt::format("{}, {}, {:.1f} MB", counted(project->demonstrations.size(), "demonstration"),
+                               counted(project->models.size(), "model"), static_cast<double>(file.size_bytes()) * 1e-6);
+  return answer;
+}
+
+/// One line for each node, children under their parent; a branch is indented, the line that goes on is not.
+void print_tree(const std::map<std::int64_t, std::vector<const workbench::HistoryNode*>>& children, std::int64_t parent,
+                std::int64_t head, int depth, std::string& text) {
+  const auto found = children.find(parent);
+  if (found == children.end()) return;
+  const auto& nodes = found->second;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int own_depth = i + 1 == nodes.size() ? depth : depth + 1;
+    text += fmt::format("{} {:>4}  {:{}}{}  ({})\n", nodes[i]->id == head ? '>' : ' ', nodes[i]->id, "", 2 * own_depth,
+                        nodes[i]->description, nodes[i]->time);
+    print_tree(children, nodes[i]->id, head, own_depth, text);
+  }
+}
+
+Result<Answer> run_history(const ProjectArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  Answer answer;
+  answer.json = {{"head", file.head()}, {"history", Json::array()}};
+  std::map<std::int64_t, std::vector<const workbench::HistoryNode*>> children;
+  for (const workbench::HistoryNode& node : file.history()) {
+    answer.json["history"].push_back({{"id", node.id},
+                                      {"parent", node.parent},
+                                      {"name", node.name},
+                                      {"description", node.description},
+                                      {"time", node.time},
+                                      {"head", node.id == file.head()}});
+    children[node.parent].push_back(&node);
+  }
+  answer.summary = counted(file.history().size(), "edit");
+  print_tree(children, 0, file.head(), 0, answer.text);
+  if (!answer.text.empty()) answer.text.pop_back();
+  return answer;
+}
+
+Answer moved(const workbench::ProjectFile& file, const std::string& verb) {
+  Answer answer;
+  answer.json = {{"head", file.head()}, {"undoable", file.undoable()}, {"redoable", file.redoable()}};
+  answer.summary = fmt::format("{}, now at edit {}", verb, file.head());
+  return answer;
+}
+
+Result<Answer> run_undo(const ProjectArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_RETURN_IF_ERROR(file.undo());
+  return moved(file, "undone");
+}
+
+Result<Answer> run_redo(const ProjectArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_RETURN_IF_ERROR(file.redo());
+  return moved(file, "done again");
+}
+
+}  // namespace
+
+void add_project_commands(CLI::App& root, Action& chosen) {
+  add_verb<ProjectArguments>(root, chosen, "new", "Make an empty project with the standard board", bind, run_new);
+  add_verb<ProjectArguments>(root, chosen, "info", "Say what a project holds", bind, run_info);
+  add_verb<ProjectArguments>(root, chosen, "history", "Show every edit as a tree", bind, run_history);
+  add_verb<ProjectArguments>(root, chosen, "undo", "Go back by one edit", bind, run_undo);
+  add_verb<ProjectArguments>(root, chosen, "redo", "Go forward by one edit", bind, run_redo);
+}
+
+}  // namespace trocar::app

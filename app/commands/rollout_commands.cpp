@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include "app/lookup.h"
+#include "app/options.h"
+#include "app/starts.h"
+#include "engine/core/file.h"
+#include "engine/learning/rollout.h"
+
+namespace trocar::app {
+namespace {
+
+struct RunArguments {
+  std::string project;
+  std::string model;
+  std::string starts = "around:3";
+  std::string out;
+};
+
+void bind_run(CLI::App& verb, RunArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("MODEL", arguments.model, "Id or name")->required();
+  verb.add_option("--starts", arguments.starts, "all, around:K (within ±K cells) or file:F.csv (columns i,j,k)")
+      ->capture_default_str();
+  verb.add_option("--out", arguments.out, "Also write one row for each rollout, as CSV");
+}
+
+Json json_of(const learning::RolloutSummary& summary) {
+  return {{"count", summary.count},
+          {"arrived", summary.arrived},
+          {"looped", summary.looped},
+          {"dead_end", summary.dead_end},
+          {"from_above", summary.from_above}};
+}
+
+Result<std::string> csv_of(const learning::Model& model, const std::vector<std::uint8_t>& policy,
+                           const std::vector<spatial::CellIndex>& starts, Progress& progress) {
+  std::string csv =
+      "i,j,k,end,steps,length_mm,straightness,max_deviation_mm,mean_deviation_mm,frechet_mm,from_above,reward_sum,"
+      "divergence_step\n";
+  for (std::size_t n = 0; n < starts.size(); ++n) {
+    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before all rollouts were written");
+    progress.set(static_cast<double>(n) / static_cast<double>(starts.size()));
+    const learning::Rollout r = learning::rollout(model, policy, starts[n]);
+    const spatial::CellCoordinates c = model.grid.coordinates(r.start);
+    csv += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:d},{:.9g},{}\n", c.x, c.y, c.z,
+                       learning::to_string(r.end), r.cells.size() - 1, 1e3 * r.length_m, r.straightness,
+                       1e3 * r.max_deviation_m, 1e3 * r.mean_deviation_m, 1e3 * r.frechet_m, r.from_above, r.reward_sum,
+                       r.divergence_step);
+  }
+  return csv;
+}
+
+double percent(int part, int whole) {
+  return whole == 0 ? 0.0 : 100.0 * part / whole;
+}
+
+std::string line_of(const learning::RolloutSummary& summary) {
+  return fmt::format("{} of {} arrive ({:.1f} %), {:.1f} % of them from above", summary.arrived, summary.count,
+                     percent(summary.arrived, summary.count), percent(summary.from_above, summary.arrived));
+}
+
+Result<Answer> run_run(const RunArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
+  const learning::Model& model = *entry->model;
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts, starts_from(arguments.starts, model));
+
+  const double begin_s = console.clock->now_s();
+  const std::vector<std::uint8_t> policy = learning::greedy_policy(model);
+  const learning::Basin basin = learning::basin(model, policy);
+  const learning::RolloutSummary summary = learning::summarise(basin, starts);
+  const double seconds = console.clock->now_s() - begin_s;
+  if (!arguments.out.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(const std::string csv, csv_of(model, policy, starts, console.progress()));
+    TROCAR_RETURN_IF_ERROR(write_file(arguments.out, csv));
+  }
+
+  Answer answer;
+  answer.json = json_of(summary);
+  answer.json["seconds"] = seconds;
+  answer.json["around"] = Json::array();
+  answer.summary = line_of(summary);
+  answer.text = answer.summary;
+  for (int k = 1; k <= 5; ++k) {
+    const learning::RolloutSummary near = learning::summarise(basin, learning::starts_around(model, k));
+    Json row = json_of(near);
+    row["k"] = k;
+    answer.json["around"].push_back(std::move(row));
+    answer.text += fmt::format("\n  within ±{}: {}", k, line_of(near));
+  }
+  return answer;
+}
+
+struct CompareArguments {
+  std::string project;
+  std::string model_a;
+  std::string model_b;
+  std::string starts = "all";
+};
+
+void bind_compare(CLI::App& verb, CompareArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("MODEL_A", arguments.model_a, "Id or name")->required();
+  verb.add_option("MODEL_B", arguments.model_b, "Id or name")->required();
+  verb.add_option("--starts", arguments.starts, "As for `rollout run`; around A's start")->capture_default_str();
+}
+
+Result<Answer> run_compare(const CompareArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto a, find_model(*file.project(), arguments.model_a));
+  TROCAR_ASSIGN_OR_RETURN(const auto b, find_model(*file.project(), arguments.model_b));
+  if (a->model->grid != b->model->grid) {
+    return fail(ErrorCode::kInvalidArgument, "the models have different lattices");
+  }
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts, starts_from(arguments.starts, *a->model));
+  const learning::Basin basin_a = learning::basin(*a->model, learning::greedy_policy(*a->model));
+  const learning::Basin basin_b = learning::basin(*b->model, learning::greedy_policy(*b->model));
+  const learning::PairedComparison paired = learning::compare(basin_a, basin_b, starts);
+
+  Answer answer;
+  answer.json = {{"starts", starts.size()}, {"wins_a", paired.wins_a},       {"wins_b", paired.wins_b},
+                 {"ties", paired.ties},     {"mcnemar_p", paired.mcnemar_p}, {"model_a", a->id.value},
+                 {"model_b", b->id.value}};
+  answer.summary = fmt::format("only A arrives {}, only B {}, ties {}, McNemar p = {:.3g}", paired.wins_a,
+                               paired.wins_b, paired.ties, paired.mcnemar_p);
+  answer.text = fmt::format("A {}, B {}: {}", a->name, b->name, answer.summary);
+  return answer;
+}
+
+}  // namespace
+
+void add_rollout_commands(CLI::App& root, Action& chosen) {
+  CLI::App& noun = *root.add_subcommand("rollout", "Let the agent run from many starts")->require_subcommand(1);
+  add_verb<RunArguments>(noun, chosen, "run", "Roll a model's policy out and count how it ends", bind_run, run_run);
+  add_verb<CompareArguments>(noun, chosen, "compare", "Compare two models over the same starts", bind_compare,
+                             run_compare);
+}
+
+}  // namespace trocar::app

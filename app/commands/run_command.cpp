@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/options.h"
+#include "app/script.h"
+#include "engine/core/file.h"
+
+namespace trocar::app {
+namespace {
+
+struct RunArguments {
+  std::string script;
+  std::string out = "out";
+  std::vector<std::string> settings;
+};
+
+void bind_run(CLI::App& verb, RunArguments& arguments) {
+  verb.add_option("SCRIPT", arguments.script, "A text file of trocar commands, one a line")->required();
+  verb.add_option("--out", arguments.out, "The folder that ${out} stands for; made if missing")->capture_default_str();
+  verb.add_option("--set", arguments.settings, "NAME=VALUE: a variable of the script");
+}
+
+Result<Variables> variables_of(const RunArguments& arguments) {
+  Variables variables = {{"out", arguments.out},
+                         {"here", std::filesystem::path(arguments.script).parent_path().string()}};
+  for (const std::string& setting : arguments.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      return fail(ErrorCode::kInvalidArgument, fmt::format("{} is not of the form NAME=VALUE", setting));
+    }
+    variables[setting.substr(0, equals)] = setting.substr(equals + 1);
+  }
+  return variables;
+}
+
+Status make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) {
+    return tl::unexpected(Error(ErrorCode::kIo, "cannot make the folder: " + error.message()).at(path));
+  }
+  return {};
+}
+
+/// Bytes that are not the first of a UTF-8 character take no room.
+std::size_t shown_width(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, shown_width(text)), ' ');
+}
+
+/// Rows appear as steps end, so that one sees where a long script is; together they are the table.
+class Table {
+ public:
+  Table(const std::vector<ScriptStep>& steps, bool shown) : shown_(shown) {
+    for (const ScriptStep& step : steps) width_ = std::max(width_, std::min<std::size_t>(shown_width(step.title), 64));
+    row("step", "     s", "what it found");
+  }
+  void row(const std::string& step, const std::string& seconds, const std::string& found) const {
+    if (!shown_) return;
+    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");  // over the progress bar
+    fmt::print("{}  {}  {}\n", padded(step, width_), seconds, found);
+    std::fflush(stdout);
+  }
+
+ private:
+  bool shown_;
+  std::size_t width_ = 4;
+};
+
+Result<Answer> run_step(const ScriptStep& step, Console& console) {
+  if (console.progress().cancelled()) return fail(ErrorCode::kCancelled, "stopped by the user");
+  Options options;
+  console.restart_progress();
+  TROCAR_ASSIGN_OR_RETURN(const Action action, options.parse(step.arguments));
+  return action(console);
+}
+
+Result<Answer> run_script(const RunArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const Variables variables, variables_of(arguments));
+  TROCAR_ASSIGN_OR_RETURN(const std::string text, read_file(arguments.script));
+  Result<std::vector<ScriptStep>> steps = parse_script(text, variables);
+  if (!steps) return tl::unexpected(std::move(steps).error().at(arguments.script));
+  TROCAR_RETURN_IF_ERROR(make_folder(arguments.out));
+
+  const Table table(*steps, !console.json && !console.quiet);
+  const double begin_s = console.clock->now_s();
+  Answer all;
+  all.json = {{"steps", Json::array()}};
+  for (const ScriptStep& step : *steps) {
+    const double step_begin_s = console.clock->now_s();
+    Result<Answer> answer = run_step(step, console);
+    const double seconds = console.clock->now_s() - step_begin_s;
+    const std::string found = answer ? answer->summary : answer.error().text();
+    table.row(step.title, fmt::format("{:6.2f}", seconds), found);
+    const int code = answer ? (answer->passed ? kExitDone : kExitCheckFailed) : exit_code(answer.error().code());
+    all.json["steps"].push_back({{"line", step.line},
+                                 {"command", step.title},
+                                 {"found", found},
+                                 {"exit", code},
+                                 {"seconds", seconds},
+                                 {"answer", answer ? answer->json : Json()}});
+    if (!answer) {
+      return tl::unexpected(
+          std::move(answer).error().in(fmt::format("do line {} ({})", step.line, step.title)).at(arguments.script));
+    }
+    all.passed = answer->passed;
+    if (!all.passed) break;
+  }
+  const double seconds = console.clock->now_s() - begin_s;
+  all.json["seconds"] = seconds;
+  all.json["out"] = arguments.out;
+  all.summary = all.passed
+                    ? fmt::format("{} steps in {:.1f} s; everything is in {}", steps->size(), seconds, arguments.out)
+                    : fmt::format("a check did not hold in line {}", (*steps)[all.json["steps"].size() - 1].line);
+  return all;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& root, Action& chosen) {
+  add_verb<RunArguments>(root, chosen, "run", "Run a script of trocar commands; stops at the first failure", bind_run,
+                         run_script);
+}
+
+}  // namespace trocar::app

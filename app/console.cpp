@@ -1,0 +1,110 @@
+#include "app/console.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+
+namespace trocar::app {
+namespace {
+
+std::atomic<Progress*> interrupted{nullptr};
+
+void on_signal(int /*signal*/) {
+  Progress* progress = interrupted.load();
+  if (progress == nullptr || progress->cancelled()) _exit(kExitWorld);
+  progress->cancel();
+}
+
+void draw_bar(double fraction, double elapsed_s) {
+  constexpr int kWidth = 30;
+  const int full = std::clamp(static_cast<int>(fraction * kWidth), 0, kWidth);
+  fmt::print(stderr, "\r{:━<{}}{:─<{}} {:3.0f} %  {:.0f} s ", "", full, "", kWidth - full, 100.0 * fraction, elapsed_s);
+  std::fflush(stderr);
+}
+
+}  // namespace
+
+ExitCode exit_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kCheckFailed:
+      return kExitCheckFailed;
+    case ErrorCode::kInvalidArgument:
+    case ErrorCode::kNotFound:
+      return kExitUsage;
+    case ErrorCode::kOutOfReach:
+    case ErrorCode::kIo:
+    case ErrorCode::kCorrupt:
+    case ErrorCode::kUnsupported:
+    case ErrorCode::kCancelled:
+      return kExitWorld;
+  }
+  return kExitWorld;
+}
+
+void Console::restart_progress() {
+  progress_->set(0.0);
+}
+
+void Console::print(const Answer& answer) {
+  if (json) {
+    fmt::print("{}\n", answer.json.dump(2, ' ', false, Json::error_handler_t::replace));
+  } else if (!quiet) {
+    fmt::print("{}\n", answer.text.empty() ? answer.summary : answer.text);
+  }
+  std::fflush(stdout);
+  print_warnings();
+}
+
+void Console::print_error(const Error& error) const {
+  fmt::print(stderr, "trocar: {}\n", error.text());
+}
+
+void Console::print_warnings() {
+  for (; printed_warnings_ < diagnostics.warnings().size(); ++printed_warnings_) {
+    fmt::print(stderr, "warning: {}\n", diagnostics.warnings()[printed_warnings_]);
+  }
+}
+
+void cancel_on_signals(Console& console) {
+  interrupted.store(&console.progress());
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  signal(SIGPIPE, SIG_IGN);  // NOLINT(bugprone-signal-handler): ignored, not handled
+}
+
+struct ProgressBar::Impl {
+  std::mutex mutex;
+  std::condition_variable_any wake;
+  std::jthread thread;
+};
+
+ProgressBar::ProgressBar(Console& console) {
+  if (console.quiet || isatty(STDERR_FILENO) == 0) return;
+  impl_ = std::make_unique<Impl>();
+  impl_->thread = std::jthread([impl = impl_.get(), &console](const std::stop_token& stop) {
+    const double begin_s = console.clock->now_s();
+    bool drawn = false;
+    std::unique_lock lock(impl->mutex);
+    while (!impl->wake.wait_for(lock, stop, std::chrono::milliseconds(150), [] { return false; })) {
+      if (stop.stop_requested()) break;
+      const double elapsed_s = console.clock->now_s() - begin_s;
+      if (elapsed_s < 0.4) continue;
+      draw_bar(console.progress().fraction(), elapsed_s);
+      drawn = true;
+    }
+    if (drawn) fmt::print(stderr, "\r\033[K");
+  });
+}
+
+ProgressBar::~ProgressBar() = default;
+
+}  // namespace trocar::app

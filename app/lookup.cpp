@@ -1,0 +1,80 @@
+#include "app/lookup.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <utility>
+
+namespace trocar::app {
+namespace {
+
+std::optional<std::int64_t> whole_number(std::string_view text) {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// One rule for demonstrations and models: an id first, then a name that is unique.
+template <typename Map>
+Result<typename Map::mapped_type> find(const Map& map, const std::string& text, std::string_view noun) {
+  if (const auto number = whole_number(text)) {
+    if (const auto found = map.find({*number}); found != map.end()) return found->second;
+  }
+  typename Map::mapped_type match;
+  for (const auto& [id, item] : map) {
+    if (item->name != text) continue;
+    if (match)
+      return fail(ErrorCode::kInvalidArgument, fmt::format("more than one {} is named {}; give its id", noun, text));
+    match = item;
+  }
+  if (!match) return fail(ErrorCode::kNotFound, fmt::format("no {} has the id or name {}", noun, text));
+  return match;
+}
+
+}  // namespace
+
+Result<workbench::ProjectFile> open_project(const std::filesystem::path& path, Console& console) {
+  return workbench::ProjectFile::open(path, console.clock, console.diagnostics);
+}
+
+Result<std::shared_ptr<const demonstration::Demonstration>> find_demonstration(const workbench::Project& project,
+                                                                               const std::string& text) {
+  return find(project.demonstrations, text, "demonstration");
+}
+
+Result<std::shared_ptr<const workbench::ModelEntry>> find_model(const workbench::Project& project,
+                                                                const std::string& text) {
+  return find(project.models, text, "model");
+}
+
+Result<std::pair<int, int>> size_from(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross != std::string::npos) {
+    const auto width = whole_number(std::string_view(text).substr(0, cross));
+    const auto height = whole_number(std::string_view(text).substr(cross + 1));
+    constexpr std::int64_t kLargest = 8192;
+    if (width && height && *width >= 1 && *height >= 1 && *width <= kLargest && *height <= kLargest) {
+      return std::pair(static_cast<int>(*width), static_cast<int>(*height));
+    }
+  }
+  return fail(ErrorCode::kInvalidArgument, fmt::format("{} is no size like 1280x720 (1 … 8192 each)", text));
+}
+
+Result<demonstration::Segment> segment_from(const std::string& text) {
+  if (text.size() == 1) {
+    const int number = (text[0] & ~0x20) - 'A';
+    if (number >= 0 && number < demonstration::kSegmentCount) return static_cast<demonstration::Segment>(number);
+  }
+  return fail(ErrorCode::kInvalidArgument, fmt::format("{} is no segment; there are A, B, C, D and E", text));
+}
+
+std::string hash_text(std::uint64_t hash) {
+  return fmt::format("{:016x}", hash);
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace trocar::app

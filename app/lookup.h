@@ -1,0 +1,37 @@
+/// From what a person types to what the project holds: projects, demonstrations and models by id or unique name.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/console.h"
+#include "engine/workbench/project.h"
+#include "engine/workbench/project_file.h"
+
+namespace trocar::app {
+
+/// Opens the project; what is odd about it goes to the console's warnings.
+Result<workbench::ProjectFile> open_project(const std::filesystem::path& path, Console& console);
+
+/// `text` is an id, or a name that only one demonstration has.
+/// Errors: kNotFound; kInvalidArgument if the name is not unique.
+Result<std::shared_ptr<const demonstration::Demonstration>> find_demonstration(const workbench::Project& project,
+                                                                               const std::string& text);
+Result<std::shared_ptr<const workbench::ModelEntry>> find_model(const workbench::Project& project,
+                                                                const std::string& text);
+
+/// "1280x720". Errors: kInvalidArgument.
+Result<std::pair<int, int>> size_from(const std::string& text);
+/// 'A' … 'E'. Errors: kInvalidArgument.
+Result<demonstration::Segment> segment_from(const std::string& text);
+
+/// 16 hexadecimal digits, as every hash is written.
+std::string hash_text(std::uint64_t hash);
+/// "3 demonstrations", "1 model".
+std::string counted(std::size_t count, const std::string& noun);
+
+}  // namespace trocar::app
