@@ -25,18 +25,23 @@ struct TransferOptions {
   int block = 0;  ///< 0 … 5.
   int goal = 0;   ///< 0 … 5.
   double time_limit_s = 120.0;
+  /// For studies of robustness: both operators misjudge every grasp by up to this along each axis of the tool, evenly,
+  /// instead of by their skill; metres. Negative: by their skill.
+  double aim_jitter_m = -1.0;
 };
 
-/// World, both scripted operators (user and assistant), the task's segments and the recorder, stepped together.
-/// Deterministic: the same options give the same samples and hashes. Threads: one at a time.
+/// World, both scripted operators (the user of the given skill, the assistant always an expert), the task's segments
+/// and the recorder, stepped together. Ends a moment after both have done their part, or after a drop, or at the time
+/// limit. Deterministic: the same options give the same samples and hashes. Threads: one at a time.
 class TransferSession {
  public:
-  /// Errors: kInvalidArgument for a block or goal outside of 0 … 5.
+  /// Errors: kInvalidArgument for a block or goal outside of 0 … 5, or a time limit that is not positive and finite.
   static Result<TransferSession> create(const TransferOptions& options);
   ~TransferSession();
   TransferSession(TransferSession&&) noexcept;
   TransferSession& operator=(TransferSession&&) noexcept;
 
+  /// Who made it; `created` is left empty for the caller, who has the clock.
   const demonstration::Provenance& provenance() const;
   const std::string& initial_world() const;
 
@@ -49,8 +54,15 @@ class TransferSession {
   demonstration::Outcome outcome() const;
   bool placed() const;
 
-  /// What was recorded since the last call, in order.
+  /// Times the user's jaws closed on air.
+  int misses() const;
+  /// Samples at which a limit of speed, acceleration, turn or jaw was hit, or a pose was out of reach.
+  std::int64_t limit_hits() const;
+
+  /// What was recorded since the last call, in order. The setpoint of a sample is where the arm was told to be at the
+  /// sample's tick; from one sample to the next the commands are interpolated (`between`).
   std::vector<demonstration::Sample> take_samples();
+  /// State hashes at the start, every second, and at the end.
   std::vector<demonstration::HashMark> take_marks();
 
  private:

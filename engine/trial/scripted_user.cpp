@@ -1,0 +1,144 @@
+#include "engine/trial/scripted_user.h"
+
+#include "engine/peg_board/peg_board.h"
+#include "engine/simulation/grasp.h"
+#include "engine/spatial/grid.h"
+
+namespace trocar::trial {
+namespace {
+
+using kinematics::ArmSide;
+
+constexpr double kAboveTip_m = 0.028;   ///< z of the tip at the end of A.
+constexpr double kLiftedTip_m = 0.045;  ///< z of the tip at the end of B.
+constexpr double kHoverOverTop_m = 0.0025;
+constexpr double kRetreatUp_m = 0.012;
+constexpr double kFirstLook_s = 0.6;
+constexpr double kGripTime_s = 0.35;
+constexpr double kFeel_s = 0.25;
+constexpr double kGiveUp_s = 0.8;
+constexpr double kAssistantHolds_s = 0.25;
+/// A grasp nearer to the lattice's faces than this is avoided if there is another.
+constexpr double kLatticeMargin_m = 0.0004;
+
+Eigen::Vector3d at_height(const Eigen::Vector3d& p, double z_m) {
+  return {p.x(), p.y(), z_m};
+}
+
+bool inside_lattice(const Eigen::Vector3d& p_W) {
+  const spatial::Grid grid;
+  const Eigen::Vector3d side = Eigen::Vector3d::Constant(grid.cell_m * grid.n);
+  const Eigen::Vector3d margin{kLatticeMargin_m, kLatticeMargin_m, 0.0};
+  const Eigen::Vector3d low = grid.p_WGo + margin;
+  const Eigen::Vector3d high = grid.p_WGo + side - margin;
+  return (p_W.array() >= low.array()).all() && (p_W.array() <= high.array()).all();
+}
+
+}  // namespace
+
+ScriptedUser::ScriptedUser(const Assignment& assignment, const Random& random)
+    : ScriptedOperator(ArmSide::kLeft, assignment, random) {
+  pause_s_ = kFirstLook_s + 2.0 * hesitation_s();
+}
+
+void ScriptedUser::go(Step step) {
+  step_ = step;
+  pause_s_ = hesitation_s();
+  begin_step();
+}
+
+void ScriptedUser::choose_grasp(const Glimpse& seen) {
+  judge_anew();
+  const spatial::Pose& X_WK = seen.block.X_WK;
+  const std::array<int, 3> walls = simulation::walls_by_preference(ArmSide::kLeft, X_WK);
+  int wall = walls[0];
+  if (!inside_lattice(simulation::grasp_pose(X_WK, walls[0]).p) &&
+      inside_lattice(simulation::grasp_pose(X_WK, walls[1]).p)) {
+    wall = walls[1];
+  }
+  grasp_ = judged(simulation::grasp_pose(X_WK, wall));
+}
+
+void ScriptedUser::think(const Glimpse& seen) {
+  if (step_ < Step::kCarry) {
+    think_of_grasp(seen);
+  } else {
+    think_of_transfer(seen);
+  }
+}
+
+void ScriptedUser::think_of_grasp(const Glimpse& seen) {
+  const double tolerance_m = skill().tolerance_m;
+  const double top_m = seen.block.X_WK.p.z() + 0.5 * peg_board::kBlockHeight_m;
+  switch (step_) {
+    case Step::kIdle:
+      if (!waited(pause_s_)) return;
+      choose_grasp(seen);
+      return go(Step::kAbove);
+    case Step::kAbove:
+      if (!reach(seen, {{at_height(grasp_.p, kAboveTip_m), grasp_.q}, 4.0 * tolerance_m, 0.12, 1.0})) return;
+      grip(draw_opening(), kGripTime_s);
+      return go(Step::kAlign);
+    case Step::kAlign:
+      if (hand_busy() || !waited(pause_s_)) return;
+      if (reach(seen, {{at_height(grasp_.p, kAboveTip_m), grasp_.q}, tolerance_m, 0.06, 1.0})) go(Step::kHover);
+      return;
+    case Step::kHover:
+      if (reach(seen, {{at_height(grasp_.p, top_m + kHoverOverTop_m), grasp_.q}, tolerance_m, 0.06, 1.4})) {
+        go(Step::kDescend);
+      }
+      return;
+    case Step::kDescend:
+      if (!reach(seen, {grasp_, 1.5 * tolerance_m, 0.10, 1.5}) || !waited(pause_s_)) return;
+      grip(draw_grip(), kGripTime_s);
+      return go(Step::kClose);
+    case Step::kClose: {
+      const bool feels = seen.block.held_by(ArmSide::kLeft);
+      if (hand_busy() || !waited(kGripTime_s + (feels ? kFeel_s : kGiveUp_s))) return;
+      lifted_from_ = seen.block.X_WK.p;
+      return go(Step::kLift);
+    }
+    case Step::kLift: {
+      if (!reach(seen, {{at_height(grasp_.p, kLiftedTip_m), grasp_.q}, 5.0 * tolerance_m, 0.15, 1.3})) return;
+      const bool lifted = seen.block.X_WK.p.z() > lifted_from_.z() + 0.5 * (kLiftedTip_m - grasp_.p.z());
+      if (lifted) return go(Step::kCarry);
+      // Missed: up again with open jaws, another look, another try.
+      grip(draw_opening(), kGripTime_s);
+      choose_grasp(seen);
+      return go(Step::kAbove);
+    }
+    default:
+      return;
+  }
+}
+
+void ScriptedUser::think_of_transfer(const Glimpse& seen) {
+  const double tolerance_m = skill().tolerance_m;
+  const spatial::Pose hand_off{peg_board::kHandOff_m, grasp_.q};
+  switch (step_) {
+    case Step::kCarry:
+      if (waited(pause_s_) && reach(seen, {hand_off, 6.0 * tolerance_m, 0.15, 1.2})) go(Step::kPresent);
+      return;
+    case Step::kPresent:
+      if (!seen.block.held_by(ArmSide::kRight)) begin_step();
+      if (!waited(kAssistantHolds_s + pause_s_ + skill().reaction_s)) return;
+      grip(draw_opening(), kGripTime_s);
+      return go(Step::kOpen);
+    case Step::kOpen:
+      if (hand_busy() || !waited(kGripTime_s + loop_s())) return;
+      grasp_ = shifted(seen.tool(side()), {0.0, 0.0, kRetreatUp_m});
+      return go(Step::kUp);
+    case Step::kUp:
+      if (reach(seen, {grasp_, 4.0 * tolerance_m, 0.15, 1.2})) go(Step::kRetreat);
+      return;
+    case Step::kRetreat:
+      if (reach(seen, {{kinematics::ready_pose(ArmSide::kLeft).p, grasp_.q}, 8.0 * tolerance_m, 0.3, 1.0})) {
+        go(Step::kRest);
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+}  // namespace trocar::trial

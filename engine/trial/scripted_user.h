@@ -1,0 +1,44 @@
+/// The left hand: segments A to D of a transfer, from the ready pose to the released block.
+#pragma once
+
+#include "engine/trial/scripted_operator.h"
+
+namespace trocar::trial {
+
+/// Threads: one at a time.
+class ScriptedUser final : public ScriptedOperator {
+ public:
+  ScriptedUser(const Assignment& assignment, const Random& random);
+  bool finished() const override { return step_ == Step::kRest; }
+
+ private:
+  enum class Step {
+    kIdle,     ///< Looks at the scene.
+    kAbove,    ///< To above the wall (A).
+    kAlign,    ///< Exactly over it, jaws open.
+    kHover,    ///< Down to just over the block's top.
+    kDescend,  ///< Over the wall.
+    kClose,    ///< Closes and feels.
+    kLift,     ///< Up.
+    kCarry,    ///< To the hand-off (C).
+    kPresent,  ///< Holds still for the assistant (D).
+    kOpen,     ///< Lets go.
+    kUp,       ///< Off the block.
+    kRetreat,  ///< Back to the ready pose.
+    kRest,
+  };
+
+  void think(const Glimpse& seen) override;
+  void go(Step step);
+  void think_of_grasp(const Glimpse& seen);
+  void think_of_transfer(const Glimpse& seen);
+  void choose_grasp(const Glimpse& seen);
+
+  Step step_ = Step::kIdle;
+  double pause_s_ = 0.0;
+  spatial::Pose grasp_;  ///< As judged.
+  Eigen::Vector3d lifted_from_{0.0, 0.0, 0.0};
+  bool gripping_ = false;
+};
+
+}  // namespace trocar::trial
