@@ -113,6 +113,7 @@ Json demonstration_json(const demonstration::Demonstration& demonstration) {
 void add_demo_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun =
       *root.add_subcommand("demo", "Record, edit, check, replay and exchange demonstrations")->require_subcommand(1);
+  add_demo_record_commands(noun, chosen);
   add_verb<ListArguments>(
       noun, chosen, "list", "List the demonstrations",
       [](CLI::App& verb, ListArguments& a) { verb.add_option("PROJECT", a.project, "The project file")->required(); },

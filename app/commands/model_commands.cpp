@@ -114,8 +114,9 @@ Result<Answer> run_train(const TrainArguments& arguments, Console& console) {
     TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), text));
     request.demonstrations.push_back(demonstration->id);
   }
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ModelEntry trained,
+  TROCAR_ASSIGN_OR_RETURN(workbench::ModelEntry trained,
                           workbench::train_model(*file.project(), request, console.progress()));
+  if (trained.created.empty()) trained.created = iso_time(console.clock->unix_s());
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t object, file.store_model(trained));
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(workbench::AddModel{object}));
   const auto& entry = *file.project()->models.at(workbench::ModelId{id});
