@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/canvas/canvas.h"
 #include "engine/core/image.h"
@@ -25,20 +26,30 @@ struct FieldFigureOptions {
   std::optional<Slice> slice;  ///< None: a montage of all slices along z.
   plot::ColourMap map = plot::ColourMap::kViridis;
   plot::ScaleKind scale = plot::ScaleKind::kLinear;
-  int width_px = 1000;
+  int width_px = 1000;          ///< At least 320; the figure grows where a cell would be narrower than 2 pixels.
+  std::string subtitle;         ///< Beside the title: "exact, segment A". Empty: none.
+  learning::CellSequence path;  ///< Cells with a dot: the expert's. Empty: none.
+  spatial::CellSet safe;        ///< Outlined. Empty: none.
 };
 
 /// The colour map and scale that suit the layer (diverging for signed, categorical for classes).
 FieldFigureOptions suggested_options(const learning::Field& field);
+/// With the expert's cells and the safe set of the model, and a subtitle that names its method.
+FieldFigureOptions suggested_options(const learning::Field& field, const learning::Model& model);
+
+/// One colour for each of `field.categories`: pale grey for a class that means "nothing here".
+std::vector<Rgba> category_colours(const learning::Field& field);
 
 /// The cells of one slice as a small picture, one pixel a cell, row 0 the largest vertical coordinate; unknown cells
 /// have alpha 0. Horizontal and vertical axes: x-slice y,z; y-slice x,z; z-slice y,x.
 Image slice_pixels(const learning::Field& field, const Slice& slice, plot::ColourMap map, const plot::Scale& scale);
 
+/// Preconditions: the slice is one of the grid's, `path` and `safe` are of the same grid.
 Image draw_field(const learning::Field& field, const FieldFigureOptions& options);
 
 /// By the extension of `path`: .png is the caller's; .svg, .csv (header row: i,j,k,x_mm,y_mm,z_mm,value; unknown empty)
-/// and .npy (float64, n×n×n, C order, NaN unknown). Errors: kInvalidArgument for another extension; kIo.
+/// and .npy (float64, n×n×n, C order, NaN unknown); with a slice, the CSV has its cells only and the NPY is n×n, as
+/// `values[first axis][second axis]` in the order x, y, z. Errors: kInvalidArgument for another extension; kIo.
 Status save_field(const learning::Field& field, const FieldFigureOptions& options, const std::filesystem::path& path);
 
 }  // namespace trocar::figure

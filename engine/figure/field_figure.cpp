@@ -1,0 +1,31 @@
+#include "engine/figure/field_figure.h"
+
+#include "engine/figure/field_files.h"
+#include "engine/figure/layout.h"
+
+namespace trocar::figure {
+
+Image draw_field(const learning::Field& field, const FieldFigureOptions& options) {
+  const FieldLook look = look_of(field, options);
+  const Layout layout = layout_of(field, options, look);
+  canvas::Canvas canvas(Image(layout.width, layout.height, {255, 255, 255, 255}));
+  draw_figure(canvas, field, options, look, layout);
+  return canvas.picture();
+}
+
+Status save_field(const learning::Field& field, const FieldFigureOptions& options, const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  if (extension == ".csv") return write_csv(field, options.slice, path);
+  if (extension == ".npy") return write_npy(field, options.slice, path);
+  if (extension != ".svg") {
+    return tl::unexpected(
+        Error(ErrorCode::kInvalidArgument, "a field is saved as .png, .svg, .csv or .npy").at(path.string()));
+  }
+  const FieldLook look = look_of(field, options);
+  const Layout layout = layout_of(field, options, look);
+  canvas::Canvas canvas = canvas::Canvas::svg(layout.width, layout.height);
+  draw_figure(canvas, field, options, look, layout);
+  return canvas.save_svg(path);
+}
+
+}  // namespace trocar::figure

@@ -1,0 +1,13 @@
+/// Fields as numbers in files. Private to the module.
+#pragma once
+
+#include "engine/figure/field_figure.h"
+
+namespace trocar::figure {
+
+/// Numbers are the shortest text that reads back as the same number. Errors: kIo.
+Status write_csv(const learning::Field& field, const std::optional<Slice>& slice, const std::filesystem::path& path);
+/// NumPy's format 1.0, little-endian. Errors: kIo.
+Status write_npy(const learning::Field& field, const std::optional<Slice>& slice, const std::filesystem::path& path);
+
+}  // namespace trocar::figure

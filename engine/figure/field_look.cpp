@@ -1,0 +1,128 @@
+#include "engine/figure/field_look.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/figure/slice_geometry.h"
+
+namespace trocar::figure {
+namespace {
+
+using learning::Layer;
+
+constexpr Rgba kNothing{216, 219, 224, 255};
+
+// Numbers of Okabe and Ito's colours.
+constexpr int kOrange = 0;
+constexpr int kSky = 1;
+constexpr int kGreen = 2;
+constexpr int kBlue = 4;
+constexpr int kVermilion = 5;
+
+std::vector<Rgba> colours_of(Layer layer) {
+  using plot::category;
+  switch (layer) {
+    case Layer::kExplored:
+      return {kNothing, category(kSky), category(kBlue)};
+    case Layer::kSafe:
+      return {kNothing, category(kGreen)};
+    case Layer::kExpert:
+      return {kNothing, category(kVermilion)};
+    case Layer::kBasin:
+      return {category(kBlue), category(kOrange), category(kVermilion), kNothing};
+    default:
+      return {};
+  }
+}
+
+/// "10,000".
+std::string grouped(int count) {
+  std::string text = std::to_string(count);
+  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3) text.insert(static_cast<std::size_t>(at), 1, ',');
+  return text;
+}
+
+bool has_both_signs(const std::vector<double>& values) {
+  const bool above = std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v) && v > 0.0; });
+  const bool below = std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v) && v < 0.0; });
+  return above && below;
+}
+
+}  // namespace
+
+std::vector<Rgba> category_colours(const learning::Field& field) {
+  std::vector<Rgba> colours = colours_of(field.layer);
+  for (std::size_t i = colours.size(); i < field.categories.size(); ++i) {
+    colours.push_back(plot::category(static_cast<int>(i)));
+  }
+  colours.resize(field.categories.size());
+  return colours;
+}
+
+FieldFigureOptions suggested_options(const learning::Field& field) {
+  FieldFigureOptions options;
+  if (field.categorical) {
+    options.map = plot::ColourMap::kCategorical;
+    return options;
+  }
+  if (has_both_signs(field.values)) options.map = plot::ColourMap::kDiverging;
+  if (field.layer == Layer::kVisits) {
+    options.map = plot::ColourMap::kMagma;
+    options.scale = plot::ScaleKind::kSymlog;
+  }
+  if (field.layer == Layer::kMargin) options.scale = plot::ScaleKind::kPercentile;
+  return options;
+}
+
+FieldFigureOptions suggested_options(const learning::Field& field, const learning::Model& model) {
+  FieldFigureOptions options = suggested_options(field);
+  for (const learning::CellSequence& cells : model.experts) {
+    options.path.insert(options.path.end(), cells.begin(), cells.end());
+  }
+  options.safe = model.safe;
+  options.subtitle = learning::to_string(model.options.method);
+  if (model.options.method != learning::Method::kExact) {
+    options.subtitle += fmt::format(", ε = {}, {} episodes, seed {}", model.options.epsilon,
+                                    grouped(model.options.episodes), model.options.seed);
+  }
+  return options;
+}
+
+FieldLook look_of(const learning::Field& field, plot::ColourMap map, const plot::Scale& scale) {
+  FieldLook look;
+  look.map = map == plot::ColourMap::kCategorical && !field.categorical ? plot::ColourMap::kViridis : map;
+  look.scale = scale;
+  if (field.categorical) look.categories = category_colours(field);
+  return look;
+}
+
+FieldLook look_of(const learning::Field& field, const FieldFigureOptions& options) {
+  const bool centred = options.map == plot::ColourMap::kDiverging;
+  return look_of(field, options.map, plot::fit_scale(options.scale, field.values, centred));
+}
+
+Rgba FieldLook::colour(double value) const {
+  constexpr Rgba kUnknown{0, 0, 0, 0};
+  if (!std::isfinite(value)) return kUnknown;
+  if (categories.empty()) return plot::colour(map, scale.position(value));
+  const double number = std::round(value);
+  if (number < 0.0 || number >= static_cast<double>(categories.size())) return kUnknown;
+  return categories[static_cast<std::size_t>(number)];
+}
+
+Image slice_pixels(const learning::Field& field, const Slice& slice, plot::ColourMap map, const plot::Scale& scale) {
+  const FieldLook look = look_of(field, map, scale);
+  const int n = field.grid.n;
+  Image pixels(n, n, {0, 0, 0, 0});
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column < n; ++column) {
+      const spatial::CellIndex cell = cell_at(field.grid, slice, {column, row});
+      pixels.set(column, row, look.colour(field.values[static_cast<std::size_t>(cell.value)]));
+    }
+  }
+  return pixels;
+}
+
+}  // namespace trocar::figure

@@ -1,0 +1,21 @@
+/// What the colours and marks of a figure mean: colour bar or classes, then the marks. Private to the module.
+#pragma once
+
+#include "engine/figure/slice_panel.h"
+
+namespace trocar::figure {
+
+struct KeyPlace {
+  double x = 0.0;
+  double y = 0.0;
+  double height = 0.0;  ///< All that there is.
+  double unit = 1.0;    ///< Scales letters and widths.
+};
+
+void draw_key(canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
+              const FieldLook& look, const KeyPlace& place);
+/// How wide the key is, so that nothing is clipped.
+double key_width(const canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
+                 const FieldLook& look, double unit);
+
+}  // namespace trocar::figure

@@ -1,0 +1,160 @@
+#include "engine/figure/layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/figure/key.h"
+#include "engine/figure/slice_panel.h"
+#include "engine/spatial/units.h"
+
+namespace trocar::figure {
+namespace {
+
+using canvas::Align;
+using canvas::Canvas;
+using canvas::TextStyle;
+using canvas::Weight;
+
+constexpr double kTitle = 24.0;
+constexpr double kText = 15.0;
+constexpr double kTick = 14.0;
+
+TextStyle style(double size, Weight weight, Rgba colour, Align align) {
+  return {size, weight, colour, align};
+}
+
+/// To a hundredth, without zeros at the end, with a true minus.
+std::string number_mm(double mm) {
+  const double rounded = std::round(mm * 100.0) / 100.0;
+  std::string text = fmt::format("{}", std::abs(rounded));
+  return rounded < 0.0 ? std::string(plot::unicode_minus()) + text : text;
+}
+
+std::string subtitle(const learning::Field& field, const FieldFigureOptions& options) {
+  const spatial::Grid& grid = field.grid;
+  std::string where;
+  if (options.slice) {
+    where = fmt::format("slice {} = {}, at {} mm", kAxisLetters[static_cast<std::size_t>(options.slice->axis)],
+                        options.slice->index, number_mm(position_mm(grid, *options.slice)));
+  } else {
+    where = fmt::format("{} slices along z, lowest first", grid.n);
+  }
+  where += fmt::format(", cells of {} mm", number_mm(spatial::to_mm(grid.cell_m)));
+  return options.subtitle.empty() ? where : options.subtitle + "   ·   " + where;
+}
+
+void draw_horizontal_axis(Canvas& canvas, const spatial::Grid& grid, int axis, const PanelPlace& place, double unit) {
+  const Extent_mm extent = extent_mm(grid, axis);
+  const double side = grid.n * place.cell_px;
+  const double bottom = place.y + side;
+  const int count = std::clamp(static_cast<int>(side / (55.0 * unit)), 3, 8);
+  const std::vector<double> at = plot::ticks(extent.low, extent.high, count);
+  const double step = at.size() > 1 ? at[1] - at[0] : 1.0;
+  for (const double mm : at) {
+    const double x = place.x + side * (mm - extent.low) / (extent.high - extent.low);
+    canvas.line({x, bottom}, {x, bottom + 5 * unit}, kInk, 1.0);
+    canvas.text({x, bottom + 21 * unit}, plot::format_tick(mm, step),
+                style(kTick * unit, Weight::kRegular, kInk, Align::kCentre));
+  }
+  canvas.text({place.x + side / 2, bottom + 43 * unit},
+              fmt::format("{} (mm)", kAxisLetters[static_cast<std::size_t>(axis)]),
+              style(kText * unit, Weight::kRegular, kInk, Align::kCentre));
+}
+
+void draw_vertical_axis(Canvas& canvas, const spatial::Grid& grid, int axis, const PanelPlace& place, double unit) {
+  const Extent_mm extent = extent_mm(grid, axis);
+  const double side = grid.n * place.cell_px;
+  const int count = std::clamp(static_cast<int>(side / (55.0 * unit)), 3, 8);
+  const std::vector<double> at = plot::ticks(extent.low, extent.high, count);
+  const double step = at.size() > 1 ? at[1] - at[0] : 1.0;
+  for (const double mm : at) {
+    const double y = place.y + side * (extent.high - mm) / (extent.high - extent.low);
+    canvas.line({place.x - 5 * unit, y}, {place.x, y}, kInk, 1.0);
+    canvas.text({place.x - 9 * unit, y + 0.36 * kTick * unit}, plot::format_tick(mm, step),
+                style(kTick * unit, Weight::kRegular, kInk, Align::kRight));
+  }
+  // Upright and above the axis: read without turning the head.
+  canvas.text({place.x - 9 * unit, place.y - 12 * unit},
+              fmt::format("{} (mm)", kAxisLetters[static_cast<std::size_t>(axis)]),
+              style(kText * unit, Weight::kRegular, kInk, Align::kRight));
+}
+
+PanelPlace place_of(const Layout& layout, int panel) {
+  const int column = panel % layout.columns;
+  const int row = panel / layout.columns;
+  return {static_cast<double>(layout.left + column * (layout.panel_px + layout.gap_x)),
+          static_cast<double>(layout.top + row * (layout.panel_px + layout.gap_y)),
+          static_cast<double>(layout.cell_px)};
+}
+
+void draw_montage(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
+                  const FieldLook& look, const Layout& layout) {
+  for (int k = 0; k < layout.panels; ++k) {
+    const Slice slice{2, k};
+    const PanelPlace place = place_of(layout, k);
+    draw_panel(canvas, field, options, look, slice, place);
+    canvas.text({place.x, place.y - 6 * layout.unit}, fmt::format("z = {}", k),
+                style(13.0 * layout.unit, Weight::kSemiBold, kInk, Align::kLeft));
+    canvas.text({place.x + layout.panel_px, place.y - 6 * layout.unit},
+                fmt::format("{} mm", number_mm(position_mm(field.grid, slice))),
+                style(13.0 * layout.unit, Weight::kRegular, kQuiet, Align::kRight));
+  }
+  const FlatAxes axes = flat_axes(Slice{2, 0});
+  const PanelPlace corner = place_of(layout, (layout.rows - 1) * layout.columns);
+  draw_horizontal_axis(canvas, field.grid, axes.horizontal, corner, layout.unit);
+  draw_vertical_axis(canvas, field.grid, axes.vertical, corner, layout.unit);
+}
+
+}  // namespace
+
+Layout layout_of(const learning::Field& field, const FieldFigureOptions& options, const FieldLook& look) {
+  Layout layout;
+  const int n = field.grid.n;
+  layout.width = std::max(320, options.width_px);
+  layout.unit = layout.width / 1000.0;
+  const auto px = [&](double at_1000) { return static_cast<int>(std::lround(at_1000 * layout.unit)); };
+  const bool montage = !options.slice.has_value();
+  layout.panels = montage ? n : 1;
+  layout.columns = montage ? std::max(1, static_cast<int>(std::ceil(std::sqrt(1.5 * n)))) : 1;
+  layout.rows = (layout.panels + layout.columns - 1) / layout.columns;
+  layout.left = px(84);
+  layout.top = px(montage ? 116 : 122);
+  layout.gap_x = montage ? px(14) : 0;
+  layout.gap_y = montage ? px(32) : 0;
+  const Canvas measure(Image(1, 1));
+  const int key = static_cast<int>(key_width(measure, field, options, look, layout.unit));
+  const int room = layout.width - layout.left - px(32) - key - px(28) - (layout.columns - 1) * layout.gap_x;
+  layout.cell_px = std::max(2, room / (layout.columns * n));
+  layout.panel_px = layout.cell_px * n;
+  // What whole pixels leave over goes between the panels.
+  if (layout.columns > 1) layout.gap_x += std::max(0, room - layout.columns * layout.panel_px) / (layout.columns - 1);
+  const int grid_width = layout.columns * layout.panel_px + (layout.columns - 1) * layout.gap_x;
+  layout.key_x = layout.left + grid_width + px(32);
+  layout.width = std::max(layout.width, layout.key_x + key + px(28));
+  layout.height = layout.top + layout.rows * layout.panel_px + (layout.rows - 1) * layout.gap_y + px(66);
+  return layout;
+}
+
+void draw_figure(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options, const FieldLook& look,
+                 const Layout& layout) {
+  const double u = layout.unit;
+  canvas.rectangle(0, 0, layout.width, layout.height, kPaper);
+  canvas.text({28 * u, 44 * u}, field.title, style(kTitle * u, Weight::kBold, kInk, Align::kLeft));
+  canvas.text({28 * u, 69 * u}, subtitle(field, options), style(kText * u, Weight::kRegular, kQuiet, Align::kLeft));
+  if (options.slice) {
+    const PanelPlace place = place_of(layout, 0);
+    draw_panel(canvas, field, options, look, *options.slice, place);
+    const FlatAxes axes = flat_axes(*options.slice);
+    draw_horizontal_axis(canvas, field.grid, axes.horizontal, place, u);
+    draw_vertical_axis(canvas, field.grid, axes.vertical, place, u);
+  } else {
+    draw_montage(canvas, field, options, look, layout);
+  }
+  const int grid_height = layout.rows * layout.panel_px + (layout.rows - 1) * layout.gap_y;
+  draw_key(canvas, field, options, look,
+           {static_cast<double>(layout.key_x), static_cast<double>(layout.top), static_cast<double>(grid_height), u});
+}
+
+}  // namespace trocar::figure
