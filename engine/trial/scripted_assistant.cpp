@@ -11,6 +11,8 @@ using kinematics::ArmSide;
 constexpr double kPresentedWithin_m = 0.006;
 constexpr double kPresentedSpeed_m_s = 0.006;
 constexpr double kAboveGrasp_m = 0.014;
+/// A block lower than this is held by nobody.
+constexpr double kDroppedBelow_m = 0.025;
 constexpr double kUserGone_m = 0.010;
 /// The block's bottom passes this far over the peg's top.
 constexpr double kOverPeg_m = 0.004;
@@ -32,7 +34,7 @@ void ScriptedAssistant::go(Step step) {
   begin_step();
 }
 
-spatial::Pose ScriptedAssistant::grasp(const Glimpse& seen) const {
+spatial::Pose ScriptedAssistant::judge_grasp(const Glimpse& seen) const {
   const spatial::Pose& X_WK = seen.block.X_WK;
   const Eigen::Vector3d& p_user = seen.tool(ArmSide::kLeft).p;
   spatial::Pose best;
@@ -45,6 +47,11 @@ spatial::Pose ScriptedAssistant::grasp(const Glimpse& seen) const {
 
 spatial::Pose ScriptedAssistant::carrying(const Glimpse& seen, const Eigen::Vector3d& p_WK) const {
   return shifted(seen.tool(ArmSide::kRight), p_WK - seen.block.X_WK.p);
+}
+
+void ScriptedAssistant::give_up(const Glimpse& seen) {
+  away_ = shifted(seen.tool(side()), {0.0, 0.0, kAwayUp_m});
+  go(Step::kUp);
 }
 
 void ScriptedAssistant::think(const Glimpse& seen) {
@@ -69,10 +76,12 @@ void ScriptedAssistant::think_of_taking(const Glimpse& seen) {
       return go(Step::kAbove);
     }
     case Step::kAbove:
-      if (reach(seen, {shifted(grasp(seen), {0.0, 0.0, kAboveGrasp_m}), tolerance_m, 0.06, 1.0})) go(Step::kDescend);
+      if (seen.block.X_WK.p.z() < kDroppedBelow_m) return give_up(seen);
+      grasp_ = judge_grasp(seen);
+      if (reach(seen, {shifted(grasp_, {0.0, 0.0, kAboveGrasp_m}), tolerance_m, 0.06, 1.0})) go(Step::kDescend);
       return;
     case Step::kDescend:
-      if (!reach(seen, {grasp(seen), 1.5 * tolerance_m, 0.08, 1.5})) return;
+      if (!reach(seen, {grasp_, 1.5 * tolerance_m, 0.08, 1.5})) return;
       grip(draw_grip(), kGripTime_s);
       return go(Step::kClose);
     case Step::kClose: {
@@ -96,11 +105,7 @@ void ScriptedAssistant::think_of_taking(const Glimpse& seen) {
 void ScriptedAssistant::think_of_placing(const Glimpse& seen) {
   const double tolerance_m = skill().tolerance_m;
   const Eigen::Vector3d foot = peg_board::goal_peg(assignment().goal);
-  if (step_ < Step::kOpen && !seen.block.touched_by(side())) {
-    // Lost: nothing to place any more.
-    away_ = shifted(seen.tool(side()), {0.0, 0.0, kAwayUp_m});
-    return go(Step::kUp);
-  }
+  if (step_ < Step::kOpen && !seen.block.touched_by(side())) return give_up(seen);
   const double carry_m = peg_board::kPegHeight_m + 0.5 * peg_board::kBlockHeight_m + kOverPeg_m;
   switch (step_) {
     case Step::kOverPeg:

@@ -29,13 +29,15 @@ class ScriptedAssistant final : public ScriptedOperator {
   void go(Step step);
   void think_of_taking(const Glimpse& seen);
   void think_of_placing(const Glimpse& seen);
+  void give_up(const Glimpse& seen);
   /// The free wall that faces the assistant most, as judged.
-  spatial::Pose grasp(const Glimpse& seen) const;
+  spatial::Pose judge_grasp(const Glimpse& seen) const;
   /// The tool's pose that brings the block's centre to p_WK, the block kept as it is held.
   spatial::Pose carrying(const Glimpse& seen, const Eigen::Vector3d& p_WK) const;
 
   Step step_ = Step::kWatch;
   double pause_s_ = 0.0;
+  spatial::Pose grasp_;  ///< As judged before going in: later the block moves with what touches it.
   spatial::Pose away_;
 };
 
