@@ -158,11 +158,11 @@ def peg():
 
 
 def block():
-    """In K (centre): the triangular prism; side normals at 0°, 120°, 240° from x, hexagonal hole through z."""
+    """In K (centre): the triangular prism; wall normals at 60°, 180°, 300° from x, hexagonal hole through z."""
     half, chamfer_at, apothem = 7.25, 8.9, 4.157
     outer, hole = [], []
     for side in range(3):
-        normal = 2 * math.pi * side / 3
+        normal = math.pi * (2 * side + 1) / 3
         along = (-math.sin(normal), math.cos(normal))
         # The side is at the inradius 5; it ends where the corner, 10 from the centre, is cut at `chamfer_at`.
         reach = 5.0 * math.sqrt(3.0) - (10.0 - chamfer_at) / math.cos(math.pi / 6)

@@ -55,6 +55,8 @@ struct StageOptions {
   int highlighted_block = -1;
 };
 
+struct Meshes;
+
 /// The meshes of `assets`, loaded once. Threads: immutable after `load`; any.
 class Stage {
  public:
@@ -65,7 +67,6 @@ class Stage {
                      const StageOptions& options) const;
 
  private:
-  struct Meshes;
   std::shared_ptr<const Meshes> meshes_;
 };
 

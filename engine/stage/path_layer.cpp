@@ -1,0 +1,144 @@
+#include "engine/stage/path_layer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "engine/core/check.h"
+#include "engine/scene/primitives.h"
+#include "engine/stage/palette.h"
+
+namespace trocar::stage {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTolerance_m = 5e-5;
+constexpr double kSpacing_m = 3.5e-4;
+constexpr int kSides = 6;
+/// With more changes of colour than this the path is one tube whose colour runs along it.
+constexpr std::size_t kRunLimit = 32;
+
+struct Run {
+  std::size_t begin;
+  std::size_t end;  ///< Inclusive; the next run begins there too, so that the path has no gap.
+};
+
+double distance_to_segment(const Vector3d& point, const Vector3d& a, const Vector3d& b) {
+  const Vector3d along = b - a;
+  const double length2 = along.squaredNorm();
+  const double s = length2 > 0.0 ? std::clamp(along.dot(point - a) / length2, 0.0, 1.0) : 0.0;
+  return (point - a - s * along).norm();
+}
+
+std::vector<Run> runs_of(const PathLayer& layer) {
+  const std::size_t last = layer.points.size() - 1;
+  std::vector<Run> runs;
+  if (layer.colours.size() < layer.points.size()) return {{0, last}};
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i <= last; ++i) {
+    if (layer.colours[i] == layer.colours[begin]) continue;
+    runs.push_back({begin, i});
+    begin = i;
+  }
+  if (begin < last) runs.push_back({begin, last});
+  return runs;
+}
+
+void add_tube(scene::Mesh mesh, Rgba colour, scene::Scene& scene) {
+  if (mesh.indices.empty()) return;
+  scene::Node node;
+  node.mesh = std::make_shared<const scene::Mesh>(std::move(mesh));
+  node.material = palette::material(colour, 0.7F, 0.0F);
+  node.material.emission = 0.7F;
+  scene.nodes.push_back(std::move(node));
+}
+
+void add_run(const PathLayer& layer, const Run& run, scene::Scene& scene) {
+  const auto first = layer.points.begin() + static_cast<std::ptrdiff_t>(run.begin);
+  const std::vector<Vector3d> all(first, layer.points.begin() + static_cast<std::ptrdiff_t>(run.end) + 1);
+  std::vector<Vector3d> kept;
+  for (const std::size_t i : simplified(all, kTolerance_m)) kept.push_back(all[i]);
+  const Rgba colour = layer.colours[std::min(run.begin, layer.colours.size() - 1)];
+  add_tube(scene::tube(kept, {}, layer.radius_m, kSides), colour, scene);
+}
+
+void add_shaded(const PathLayer& layer, scene::Scene& scene) {
+  std::vector<Vector3d> kept;
+  std::vector<Rgba> colours;
+  for (std::size_t i = 0; i < layer.points.size(); ++i) {
+    const bool last = i + 1 == layer.points.size();
+    if (!kept.empty() && !last && (layer.points[i] - kept.back()).norm() < kSpacing_m) continue;
+    kept.push_back(layer.points[i]);
+    colours.push_back(layer.colours[i]);
+  }
+  add_tube(scene::tube(kept, colours, layer.radius_m, kSides), {255, 255, 255, 255}, scene);
+}
+
+}  // namespace
+
+std::vector<std::size_t> simplified(const std::vector<Vector3d>& points, double tolerance_m) {
+  if (points.empty()) return {};
+  std::vector<std::uint8_t> keep(points.size(), 0);
+  keep.front() = keep.back() = 1;
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    std::size_t farthest = a;
+    double worst = tolerance_m;
+    for (std::size_t i = a + 1; i < b; ++i) {
+      const double distance = distance_to_segment(points[i], points[a], points[b]);
+      if (distance <= worst) continue;
+      worst = distance;
+      farthest = i;
+    }
+    if (farthest == a) continue;
+    keep[farthest] = 1;
+    open.emplace_back(a, farthest);
+    open.emplace_back(farthest, b);
+  }
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i] != 0) kept.push_back(i);
+  }
+  return kept;
+}
+
+void add_path(const PathLayer& layer, scene::Scene& scene) {
+  if (layer.points.size() < 2) return;
+  TROCAR_CHECK(layer.colours.size() == 1 || layer.colours.size() == layer.points.size());
+  const std::vector<Run> runs = runs_of(layer);
+  if (runs.size() > kRunLimit) {
+    add_shaded(layer, scene);
+    return;
+  }
+  for (const Run& run : runs) add_run(layer, run, scene);
+}
+
+Rgba segment_colour(demonstration::Segment segment) {
+  // Okabe and Ito; the agent's segments are cool, the operator's warm, the assistant's purple.
+  constexpr std::array<Rgba, demonstration::kSegmentCount> kColours{Rgba{86, 180, 233, 255}, Rgba{230, 159, 0, 255},
+                                                                    Rgba{0, 158, 115, 255}, Rgba{213, 94, 0, 255},
+                                                                    Rgba{204, 121, 167, 255}};
+  return kColours[static_cast<std::size_t>(segment)];
+}
+
+PathLayer path_of(const demonstration::Demonstration& demonstration, kinematics::ArmSide side) {
+  constexpr Rgba kUnlabelled{160, 166, 174, 255};
+  PathLayer layer;
+  auto span = demonstration.segments.begin();
+  for (const demonstration::Sample& sample : demonstration.gated()) {
+    const double t_s = demonstration.time_of(sample);
+    while (span != demonstration.segments.end() && t_s >= span->end_s) ++span;
+    const bool labelled = span != demonstration.segments.end() && t_s >= span->begin_s;
+    layer.points.push_back(sample.arms[kinematics::index_of(side)].measured.pose().p);
+    layer.colours.push_back(labelled ? segment_colour(span->label) : kUnlabelled);
+  }
+  return layer;
+}
+
+}  // namespace trocar::stage

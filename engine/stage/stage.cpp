@@ -1,0 +1,158 @@
+#include "engine/stage/stage.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "engine/peg_board/peg_board.h"
+#include "engine/scene/primitives.h"
+#include "engine/spatial/rotation.h"
+#include "engine/stage/arm_nodes.h"
+#include "engine/stage/field_layer.h"
+#include "engine/stage/meshes.h"
+#include "engine/stage/palette.h"
+#include "engine/stage/path_layer.h"
+
+namespace trocar::stage {
+namespace {
+
+using Eigen::Vector3d;
+using spatial::Pose;
+
+// Where the paper's camera sees them, in front of the pegs.
+const Vector3d kScaleBarMiddle_m(0.0265, 0.042, 0.0);
+const Vector3d kAxesOrigin_m(0.0265, -0.056, 0.0004);
+
+void add_board(const Meshes& meshes, scene::Scene& scene) {
+  scene.nodes.push_back({meshes.table, palette::table()});
+  scene.nodes.push_back({meshes.board, palette::board()});
+  for (int i = 0; i < peg_board::kBlockCount; ++i) {
+    for (const Vector3d& foot : {peg_board::start_peg(i), peg_board::goal_peg(i)}) {
+      scene.nodes.push_back({meshes.peg, palette::peg(), scene::node_pose(Pose::translation(foot))});
+    }
+  }
+}
+
+void add_blocks(const Meshes& meshes, const Pose3d& pose, int highlighted, scene::Scene& scene) {
+  for (int i = 0; i < peg_board::kBlockCount; ++i) {
+    const Pose& X_WK = pose.blocks[static_cast<std::size_t>(i)];
+    scene.nodes.push_back({meshes.block, palette::block(i, i == highlighted), scene::node_pose(X_WK)});
+    if (i != highlighted) continue;
+    // Under the block, on the board, also while it is in the air.
+    const Vector3d below(X_WK.p.x(), X_WK.p.y(), 0.0004);
+    scene.nodes.push_back(
+        {meshes.highlight_ring, palette::drawn(palette::kHighlight), scene::node_pose(Pose::translation(below))});
+  }
+}
+
+void add_bar(const Meshes& meshes, const Vector3d& middle, const Vector3d& size, Rgba colour, scene::Scene& scene) {
+  scene.nodes.push_back(
+      {meshes.cube, palette::drawn(colour), scene::node_pose(Pose::translation(middle), size.cast<float>())});
+}
+
+void add_scale_bar(const Meshes& meshes, scene::Scene& scene) {
+  constexpr double kLength_m = 0.010;
+  constexpr double kWidth_m = 0.0006;
+  constexpr double kHeight_m = 0.0003;
+  const Vector3d lifted = kScaleBarMiddle_m + Vector3d(0.0, 0.0, 0.5 * kHeight_m);
+  add_bar(meshes, lifted, {kWidth_m, kLength_m, kHeight_m}, palette::kRuler, scene);
+  for (const double side : {-0.5, 0.5}) {
+    const Vector3d end = lifted + Vector3d(0.0, side * (kLength_m - kWidth_m), 0.0);
+    add_bar(meshes, end, {0.0026, kWidth_m, kHeight_m}, palette::kRuler, scene);
+  }
+  scene.labels.push_back({kScaleBarMiddle_m + Vector3d(-0.0032, 0.0, 0.0), "10 mm", palette::kText});
+}
+
+void add_axes(const Meshes& meshes, scene::Scene& scene) {
+  const std::array<Eigen::Quaterniond, 3> turns{spatial::about_y(std::numbers::pi / 2.0),
+                                                spatial::about_x(-std::numbers::pi / 2.0), spatial::about_x(0.0)};
+  const std::array<const char*, 3> names{"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    scene::Material material = palette::material(palette::kAxes[i], 0.6F, 0.0F);
+    material.emission = 0.6F;
+    scene.nodes.push_back({meshes.axis, material, scene::node_pose({kAxesOrigin_m, turns[i]})});
+    const Vector3d end = kAxesOrigin_m + turns[i] * Vector3d(0.0, 0.0, 0.0112);
+    scene.labels.push_back({end, names[i], palette::kAxes[i]});
+  }
+}
+
+void add_peg_numbers(scene::Scene& scene) {
+  const Vector3d above(0.0, 0.0, peg_board::kPegHeight_m + 0.0034);
+  for (int i = 0; i < peg_board::kBlockCount; ++i) {
+    scene.labels.push_back({peg_board::start_peg(i) + above, fmt::format("S{}", i), palette::kQuietText});
+    scene.labels.push_back({peg_board::goal_peg(i) + above, fmt::format("G{}", i), palette::kQuietText});
+  }
+}
+
+void add_lattice_frame(const Meshes& meshes, const spatial::Grid& grid, scene::Scene& scene) {
+  const double side = grid.n * grid.cell_m;
+  constexpr double kThickness_m = 0.00025;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int edge = 0; edge < 4; ++edge) {
+      Vector3d middle = grid.p_WGo + Vector3d::Unit(axis) * 0.5 * side;
+      if ((edge & 1) != 0) middle += Vector3d::Unit((axis + 1) % 3) * side;
+      if ((edge & 2) != 0) middle += Vector3d::Unit((axis + 2) % 3) * side;
+      Vector3d size = Vector3d::Constant(kThickness_m);
+      size[axis] += side;
+      add_bar(meshes, middle, size, palette::kFrame, scene);
+    }
+  }
+}
+
+}  // namespace
+
+Pose3d pose_of(const simulation::WorldState& state) {
+  Pose3d pose;
+  for (std::size_t i = 0; i < 2; ++i) {
+    pose.joints[i] = state.arms[i].joints;
+    pose.jaw_rad[i] = state.arms[i].jaw_rad;
+  }
+  for (std::size_t i = 0; i < pose.blocks.size(); ++i) pose.blocks[i] = state.blocks[i].X_WK;
+  return pose;
+}
+
+Pose3d pose_of(const demonstration::Sample& sample) {
+  Pose3d pose;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const demonstration::ArmSample& arm = sample.arms[i];
+    for (std::size_t k = 0; k < pose.joints[i].size(); ++k) pose.joints[i][k] = static_cast<double>(arm.joints[k]);
+    pose.jaw_rad[i] = static_cast<double>(arm.jaw_rad);
+  }
+  for (std::size_t i = 0; i < pose.blocks.size(); ++i) pose.blocks[i] = sample.blocks[i].pose();
+  return pose;
+}
+
+Result<std::shared_ptr<const Stage>> Stage::load() {
+  auto stage = std::make_shared<Stage>();
+  TROCAR_ASSIGN_OR_RETURN(stage->meshes_, Meshes::load());
+  return stage;
+}
+
+scene::Scene Stage::scene(const Pose3d& pose, const std::vector<PathLayer>& paths,
+                          const std::vector<FieldLayer>& fields, const StageOptions& options) const {
+  scene::Scene made;
+  add_board(*meshes_, made);
+  add_blocks(*meshes_, pose, options.highlighted_block, made);
+  if (options.arms) {
+    for (const kinematics::ArmSide side : kinematics::kArmSides) {
+      const std::size_t i = kinematics::index_of(side);
+      add_arm(*meshes_, side, pose.joints[i], pose.jaw_rad[i], made.nodes);
+    }
+  }
+  for (const PathLayer& path : paths) add_path(path, made);
+  for (const FieldLayer& field : fields) add_field(*meshes_, field, made);
+  if (options.lattice_frame) {
+    const bool known = !fields.empty() && fields.front().field != nullptr;
+    add_lattice_frame(*meshes_, known ? fields.front().field->grid : spatial::Grid{}, made);
+  }
+  if (options.scale_bar) add_scale_bar(*meshes_, made);
+  if (options.labels) {
+    add_axes(*meshes_, made);
+    add_peg_numbers(made);
+  }
+  return made;
+}
+
+}  // namespace trocar::stage
