@@ -32,16 +32,6 @@ double poison(const CompactPose& pose) {
   return poison(pose.p) + poison(pose.q_wxyz);
 }
 
-bool finite(const Sample& sample) {
-  double sum = 0.0;
-  for (const ArmSample& arm : sample.arms) {
-    sum += poison(arm.setpoint_p) + poison(arm.setpoint_q_wxyz) + arm.setpoint_jaw_rad * 0.0;
-    sum += poison(arm.measured) + static_cast<double>(arm.jaw_rad) * 0.0 + poison(arm.joints);
-  }
-  for (const CompactPose& block : sample.blocks) sum += poison(block);
-  return sum == 0.0;
-}
-
 void add(Hasher& hasher, const Provenance& provenance) {
   hasher.text(provenance.operator_kind).text(provenance.skill).text(provenance.device).value(provenance.seed);
   hasher.value(provenance.block).value(provenance.goal).text(provenance.scene_hash);
@@ -135,10 +125,20 @@ std::uint64_t hash_of(std::span<const Sample> samples) {
   return hasher.digest();
 }
 
+bool is_finite(const Sample& sample) {
+  double sum = 0.0;
+  for (const ArmSample& arm : sample.arms) {
+    sum += poison(arm.setpoint_p) + poison(arm.setpoint_q_wxyz) + arm.setpoint_jaw_rad * 0.0;
+    sum += poison(arm.measured) + static_cast<double>(arm.jaw_rad) * 0.0 + poison(arm.joints);
+  }
+  for (const CompactPose& block : sample.blocks) sum += poison(block);
+  return sum == 0.0;
+}
+
 Status check_samples(std::span<const Sample> samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Sample& sample = samples[i];
-    if (!finite(sample)) {
+    if (!is_finite(sample)) {
       return fail(ErrorCode::kInvalidArgument, fmt::format("sample {} has a number that is not finite", i + 1));
     }
     if (sample.tick < 0 || sample.tick > kLastTick) {

@@ -131,6 +131,8 @@ std::uint64_t hash_of(std::span<const Sample> samples);
 std::uint64_t content_hash(std::uint64_t samples_hash, const Provenance& provenance, std::string_view initial_world,
                            std::span<const HashMark> hashes);
 
+bool is_finite(const Sample& sample);
+
 /// Errors: kInvalidArgument naming the sample that is not finite, out of order, or has a label or tick out of range.
 Status check_samples(std::span<const Sample> samples);
 

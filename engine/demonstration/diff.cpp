@@ -1,0 +1,124 @@
+#include "engine/demonstration/diff.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/core/check.h"
+#include "engine/demonstration/motion.h"
+
+namespace trocar::demonstration {
+namespace {
+
+/// Below the rounding of single precision at arm's length, nothing has moved.
+constexpr double kUnmoved_m = 1e-7;
+constexpr double kTimeTolerance_s = 1e-9;
+
+class Deviation {
+ public:
+  void add(double left_m, double right_m) {
+    const double worst_m = std::max(left_m, right_m);
+    if (worst_m > kUnmoved_m) ++moved_;
+    max_m_ = std::max(max_m_, worst_m);
+    square_sum_ += left_m * left_m + right_m * right_m;
+    count_ += 2;
+  }
+  void write(Difference& difference) const {
+    difference.moved = moved_;
+    difference.max_deviation_m = max_m_;
+    difference.rms_deviation_m = count_ == 0 ? 0.0 : std::sqrt(square_sum_ / static_cast<double>(count_));
+  }
+
+ private:
+  int moved_ = 0;
+  double max_m_ = 0.0;
+  double square_sum_ = 0.0;
+  long count_ = 0;
+};
+
+void match_ticks(std::span<const Sample> before, std::span<const Sample> after, Difference& difference) {
+  Deviation deviation;
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < before.size() || j < after.size()) {
+    if (j == after.size() || (i < before.size() && before[i].tick < after[j].tick)) {
+      ++difference.removed;
+      ++i;
+    } else if (i == before.size() || after[j].tick < before[i].tick) {
+      ++difference.added;
+      ++j;
+    } else {
+      deviation.add((measured_tip(after[j], 0) - measured_tip(before[i], 0)).norm(),
+                    (measured_tip(after[j], 1) - measured_tip(before[i], 1)).norm());
+      ++i;
+      ++j;
+    }
+  }
+  deviation.write(difference);
+}
+
+/// The tip of `arm` at `t_s` since the begin gate, between two samples; precondition: within the gated samples.
+Eigen::Vector3d tip_at(const Demonstration& document, double t_s, std::size_t arm) {
+  const std::span<const Sample> samples = document.gated();
+  const double start_s = document.time_of(samples.front());
+  const auto after = std::partition_point(samples.begin(), samples.end(), [&](const Sample& sample) {
+    return document.time_of(sample) - start_s < t_s - kTimeTolerance_s;
+  });
+  if (after == samples.begin()) return measured_tip(samples.front(), arm);
+  if (after == samples.end()) return measured_tip(samples.back(), arm);
+  const Sample& low = *(after - 1);
+  const double low_s = document.time_of(low) - start_s;
+  const double share = (t_s - low_s) / (document.time_of(*after) - start_s - low_s);
+  return measured_tip(low, arm) + share * (measured_tip(*after, arm) - measured_tip(low, arm));
+}
+
+void match_times(const Demonstration& before, const Demonstration& after, Difference& difference) {
+  const auto length_s = [](const Demonstration& document) {
+    const std::span<const Sample> samples = document.gated();
+    return document.time_of(samples.back()) - document.time_of(samples.front());
+  };
+  const double common_s = std::min(length_s(before), length_s(after)) + kTimeTolerance_s;
+  const auto beyond = [&](const Demonstration& document) {
+    const std::span<const Sample> samples = document.gated();
+    const double start_s = document.time_of(samples.front());
+    return static_cast<int>(std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
+      return document.time_of(sample) - start_s > common_s;
+    }));
+  };
+  difference.removed = beyond(before);
+  difference.added = beyond(after);
+  Deviation deviation;
+  const double start_s = after.time_of(after.gated().front());
+  for (const Sample& sample : after.gated()) {
+    const double t_s = after.time_of(sample) - start_s;
+    if (t_s > common_s) break;
+    deviation.add((measured_tip(sample, 0) - tip_at(before, t_s, 0)).norm(),
+                  (measured_tip(sample, 1) - tip_at(before, t_s, 1)).norm());
+  }
+  deviation.write(difference);
+}
+
+}  // namespace
+
+Difference difference(const Demonstration& before, const Demonstration& after) {
+  Difference result;
+  result.duration_change_s = after.duration_s() - before.duration_s();
+  const std::span<const Sample> old_samples = before.gated();
+  const std::span<const Sample> new_samples = after.gated();
+  const bool one_recording =
+      before.recording == after.recording || (before.recording->id && before.recording->id == after.recording->id);
+  if (one_recording || old_samples.empty() || new_samples.empty()) {
+    match_ticks(old_samples, new_samples, result);
+  } else {
+    match_times(before, after, result);
+  }
+  return result;
+}
+
+Demonstration original_of(const Demonstration& document) {
+  Result<Demonstration> original = make_demonstration(document.id, document.name, document.recording);
+  TROCAR_CHECK(original.has_value());
+  return std::move(*original);
+}
+
+}  // namespace trocar::demonstration

@@ -1,0 +1,25 @@
+/// What changed between two versions of a demonstration, in numbers.
+#pragma once
+
+#include "engine/demonstration/demonstration.h"
+
+namespace trocar::demonstration {
+
+struct Difference {
+  double duration_change_s = 0.0;  ///< Positive: `after` is longer.
+  int removed = 0;                 ///< Samples of `before` that `after` lacks.
+  int added = 0;
+  int moved = 0;  ///< Samples in both with a tool tip elsewhere.
+  /// Between the tool tips of samples in both, over both arms.
+  double max_deviation_m = 0.0;
+  double rms_deviation_m = 0.0;
+};
+
+/// Versions of one recording are matched sample by sample; different recordings by the time since their begin gates,
+/// `before` interpolated, so that what one is longer by counts as removed or added.
+Difference difference(const Demonstration& before, const Demonstration& after);
+
+/// The demonstration as it was recorded, with its id and name.
+Demonstration original_of(const Demonstration& document);
+
+}  // namespace trocar::demonstration

@@ -1,0 +1,71 @@
+#include "engine/demonstration/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trocar::demonstration {
+namespace {
+
+constexpr double kKnotDistance_s = 0.020;
+constexpr double kGap_s = 0.1;
+
+struct Knot {
+  double t_s = 0.0;
+  Eigen::Vector3d p_WT{0.0, 0.0, 0.0};
+};
+
+/// Samples at least 20 ms apart.
+std::vector<Knot> knots_of(const Demonstration& document, std::size_t arm) {
+  std::vector<Knot> knots;
+  for (const Sample& sample : document.gated()) {
+    const double t_s = document.time_of(sample);
+    if (!knots.empty() && t_s - knots.back().t_s < kKnotDistance_s - 1e-9) continue;
+    knots.push_back({t_s, measured_tip(sample, arm)});
+  }
+  return knots;
+}
+
+/// Third-order divided differences of four neighbours, each lower order from the newest of them.
+MotionPoint point_at(std::span<const Knot, 4> knots) {
+  std::array<Eigen::Vector3d, 3> velocity;
+  std::array<double, 3> middle_s{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    velocity[i] = (knots[i + 1].p_WT - knots[i].p_WT) / (knots[i + 1].t_s - knots[i].t_s);
+    middle_s[i] = 0.5 * (knots[i + 1].t_s + knots[i].t_s);
+  }
+  const Eigen::Vector3d early = (velocity[1] - velocity[0]) / (middle_s[1] - middle_s[0]);
+  const Eigen::Vector3d late = (velocity[2] - velocity[1]) / (middle_s[2] - middle_s[1]);
+  const Eigen::Vector3d jerk = (late - early) / (0.5 * (middle_s[2] - middle_s[0]));
+  return {middle_s[1], velocity[1].norm(), (0.5 * (early + late)).norm(), jerk.norm()};
+}
+
+}  // namespace
+
+Eigen::Vector3d measured_tip(const Sample& sample, std::size_t arm) {
+  const std::array<float, 3>& p = sample.arms[arm].measured.p;
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+std::vector<MotionPoint> motion_of(const Demonstration& document, std::size_t arm) {
+  const std::vector<Knot> knots = knots_of(document, arm);
+  std::vector<MotionPoint> points;
+  for (std::size_t i = 0; i + 4 <= knots.size(); ++i) {
+    const std::span<const Knot, 4> four(&knots[i], 4);
+    const bool whole = std::adjacent_find(four.begin(), four.end(), [](const Knot& a, const Knot& b) {
+                         return b.t_s - a.t_s > kGap_s;
+                       }) == four.end();
+    if (whole) points.push_back(point_at(four));
+  }
+  return points;
+}
+
+double path_length_m(const Demonstration& document, std::size_t arm) {
+  const std::span<const Sample> samples = document.gated();
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    length_m += (measured_tip(samples[i], arm) - measured_tip(samples[i - 1], arm)).norm();
+  }
+  return length_m;
+}
+
+}  // namespace trocar::demonstration

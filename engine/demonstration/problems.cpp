@@ -1,0 +1,240 @@
+#include "engine/demonstration/problems.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/demonstration/jaw_problems.h"
+#include "engine/demonstration/motion.h"
+#include "engine/demonstration/problem_spans.h"
+#include "engine/demonstration/quality.h"
+
+namespace trocar::demonstration {
+namespace {
+
+using Problems = std::vector<Problem>;
+
+/// Longer than this is an error: a whole chunk of the recording is missing.
+constexpr double kLongGap_s = 0.25;
+constexpr double kUnitTolerance = 1e-3;
+constexpr double kUnlabelled_s = 0.02;
+constexpr std::array<const char*, 2> kTools{"left", "right"};
+
+template <std::size_t N, typename Number>
+double distance_from_unit(const std::array<Number, N>& q) {
+  double square = 0.0;
+  for (const Number part : q) square += static_cast<double>(part) * static_cast<double>(part);
+  return std::abs(std::sqrt(square) - 1.0);
+}
+
+void check_numbers(const Demonstration& document, Problems& found) {
+  SpanCollector not_finite;
+  SpanCollector not_unit;
+  for (const Sample& sample : document.gated()) {
+    const double t_s = document.time_of(sample);
+    if (!is_finite(sample)) {
+      not_finite.add(t_s, 0.0);
+      continue;
+    }
+    double worst = 0.0;
+    for (const ArmSample& arm : sample.arms) {
+      worst = std::max({worst, distance_from_unit(arm.setpoint_q_wxyz), distance_from_unit(arm.measured.q_wxyz)});
+    }
+    for (const CompactPose& block : sample.blocks) worst = std::max(worst, distance_from_unit(block.q_wxyz));
+    if (worst > kUnitTolerance) not_unit.add(t_s, worst);
+  }
+  for (const ProblemSpan& span : not_finite.spans()) {
+    found.push_back({ProblemKind::kNotFinite, Severity::kError, span.begin_s, span.end_s,
+                     fmt::format("{} samples have a number that is not finite", span.count), ""});
+  }
+  for (const ProblemSpan& span : not_unit.spans()) {
+    found.push_back({ProblemKind::kQuaternion, Severity::kError, span.begin_s, span.end_s,
+                     fmt::format("{} samples have a rotation that is not of unit length, off by up to {:.3g}",
+                                 span.count, span.worst),
+                     ""});
+  }
+}
+
+void check_time(const Demonstration& document, Problems& found) {
+  const std::span<const Sample> samples = document.gated();
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples[i].tick - samples[i - 1].tick);
+  if (steps.empty()) return;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  const double usual_s = std::max(Tick{*middle}.seconds(), Tick{1}.seconds());
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double begin_s = document.time_of(samples[i - 1]);
+    const double end_s = document.time_of(samples[i]);
+    if (end_s - begin_s > 1.5 * usual_s) {
+      found.push_back({ProblemKind::kTime, end_s - begin_s > kLongGap_s ? Severity::kError : Severity::kWarning,
+                       begin_s, end_s,
+                       fmt::format("no sample for {:.0f} ms where one comes every {:.0f} ms", 1e3 * (end_s - begin_s),
+                                   1e3 * usual_s),
+                       ""});
+    } else if (end_s <= begin_s) {
+      found.push_back({ProblemKind::kTime, Severity::kError, begin_s, begin_s, "time does not go on", ""});
+    }
+  }
+}
+
+double distance_outside_m(const spatial::Grid& grid, const Eigen::Vector3d& p_WT) {
+  const Eigen::Vector3d low = grid.p_WGo;
+  const Eigen::Vector3d high = (low.array() + grid.cell_m * grid.n).matrix();
+  return (p_WT - p_WT.cwiseMax(low).cwiseMin(high)).norm();
+}
+
+void check_lattice(const Demonstration& document, const spatial::Grid& grid, Problems& found) {
+  for (const Segment label : {Segment::kA, Segment::kC}) {
+    const std::optional<SegmentSpan> span = document.segment(label);
+    if (!span) continue;
+    SpanCollector outside;
+    for (const Sample& sample : document.samples_in(*span)) {
+      const Eigen::Vector3d p_WT = measured_tip(sample, 0);
+      if (!grid.cell_at(p_WT)) outside.add(document.time_of(sample), distance_outside_m(grid, p_WT));
+    }
+    for (const ProblemSpan& each : outside.spans()) {
+      found.push_back({ProblemKind::kLattice, Severity::kWarning, each.begin_s, each.end_s,
+                       fmt::format("{} samples of segment {} lie outside of the learning cube, by up to {:.1f} mm",
+                                   each.count, letter(label), 1e3 * each.worst),
+                       ""});
+    }
+  }
+}
+
+void check_motion(const Demonstration& document, const MotionBounds& bounds, Problems& found) {
+  struct Measure {
+    ProblemKind kind;
+    double MotionPoint::*value;
+    double bound;
+    double scale;
+    const char* unit;
+  };
+  const std::array<Measure, 3> measures{
+      Measure{ProblemKind::kSpeed, &MotionPoint::speed_m_s, bounds.speed_m_s, 1e3, "mm/s"},
+      Measure{ProblemKind::kAcceleration, &MotionPoint::acceleration_m_s2, bounds.acceleration_m_s2, 1.0, "m/s²"},
+      Measure{ProblemKind::kJerk, &MotionPoint::jerk_m_s3, bounds.jerk_m_s3, 1.0, "m/s³"}};
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    const std::vector<MotionPoint> points = motion_of(document, arm);
+    for (const Measure& measure : measures) {
+      SpanCollector over;
+      for (const MotionPoint& point : points) {
+        if (point.*measure.value > measure.bound) over.add(point.t_s, point.*measure.value);
+      }
+      for (const ProblemSpan& span : over.spans()) {
+        found.push_back(
+            {measure.kind, Severity::kWarning, span.begin_s, span.end_s,
+             fmt::format("{} of the {} tool reaches {:.0f} {}, more than {:.0f}", to_string(measure.kind), kTools[arm],
+                         measure.scale * span.worst, measure.unit, measure.scale * measure.bound),
+             ""});
+      }
+    }
+  }
+}
+
+void check_segments(const Demonstration& document, Problems& found) {
+  std::optional<SegmentSpan> before;
+  for (int i = 0; i < kSegmentCount; ++i) {
+    const auto label = static_cast<Segment>(i);
+    const std::optional<SegmentSpan> span = document.segment(label);
+    if (!span) {
+      found.push_back({ProblemKind::kSegments, Severity::kWarning, document.begin_s, document.end_s,
+                       fmt::format("segment {} is missing", letter(label)), ""});
+      continue;
+    }
+    if (before && span->begin_s < before->begin_s) {
+      found.push_back({ProblemKind::kSegments, Severity::kError, span->begin_s, span->end_s,
+                       fmt::format("segment {} comes before segment {}", letter(label), letter(before->label)), ""});
+    }
+    before = span;
+  }
+  double covered_s = document.begin_s;
+  const auto report_until = [&](double t_s) {
+    if (t_s - covered_s < kUnlabelled_s) return;
+    found.push_back({ProblemKind::kSegments, Severity::kInfo, covered_s, t_s,
+                     fmt::format("{:.2f} s belong to no segment", t_s - covered_s), ""});
+  };
+  for (const SegmentSpan& span : document.segments) {
+    if (span.end_s <= document.begin_s || span.begin_s >= document.end_s) continue;
+    report_until(span.begin_s);
+    covered_s = std::max(covered_s, span.end_s);
+  }
+  report_until(document.end_s);
+}
+
+void check_idle(const Demonstration& document, Problems& found) {
+  const std::optional<Trim> trim = idle_ends(document);
+  if (!trim) return;
+  // Rounded outwards, so that the fix as it is printed cuts nothing that moves.
+  const std::string fix = fmt::format("trim --from {:.2f} --to {:.2f}", std::floor(trim->from_s * 100.0) / 100.0,
+                                      std::ceil(trim->to_s * 100.0) / 100.0);
+  const auto report = [&](double begin_s, double end_s) {
+    if (begin_s >= end_s) return;
+    found.push_back({ProblemKind::kIdle, Severity::kInfo, begin_s, end_s,
+                     fmt::format("neither tool moves for {:.2f} s", end_s - begin_s), fix});
+  };
+  report(document.begin_s, trim->from_s);
+  report(trim->to_s, document.end_s);
+}
+
+}  // namespace
+
+std::string_view to_string(ProblemKind kind) {
+  switch (kind) {
+    case ProblemKind::kNotFinite:
+      return "not-finite";
+    case ProblemKind::kTime:
+      return "time";
+    case ProblemKind::kQuaternion:
+      return "quaternion";
+    case ProblemKind::kLattice:
+      return "lattice";
+    case ProblemKind::kSpeed:
+      return "speed";
+    case ProblemKind::kAcceleration:
+      return "acceleration";
+    case ProblemKind::kJerk:
+      return "jerk";
+    case ProblemKind::kSegments:
+      return "segments";
+    case ProblemKind::kIdle:
+      return "idle";
+    case ProblemKind::kJaw:
+      return "jaw";
+  }
+  return "unknown";
+}
+
+std::string_view to_string(Severity severity) {
+  switch (severity) {
+    case Severity::kInfo:
+      return "info";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kError:
+      return "error";
+  }
+  return "unknown";
+}
+
+Problems problems(const Demonstration& document, const spatial::Grid& grid, const MotionBounds& bounds) {
+  Problems found;
+  check_numbers(document, found);
+  const bool finite = found.empty() || found.front().kind != ProblemKind::kNotFinite;
+  check_time(document, found);
+  check_segments(document, found);
+  if (finite) {
+    check_lattice(document, grid, found);
+    check_motion(document, bounds, found);
+    check_idle(document, found);
+    add_jaw_problems(document, found);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Problem& a, const Problem& b) { return a.begin_s < b.begin_s; });
+  return found;
+}
+
+}  // namespace trocar::demonstration

@@ -1,0 +1,80 @@
+#include "engine/demonstration/quality.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/demonstration/motion.h"
+
+namespace trocar::demonstration {
+namespace {
+
+/// Half the span over which a speed is measured: long enough that a tremor of 10 Hz averages out.
+constexpr double kSpeedWindow_s = 0.05;
+constexpr double kIdleJaw_rad_s = 0.05;
+
+bool moves(const Sample& before, const Sample& after, double dt_s) {
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    const double distance_m = (measured_tip(after, arm) - measured_tip(before, arm)).norm();
+    const double jaw_rad = std::abs(static_cast<double>(after.arms[arm].jaw_rad - before.arms[arm].jaw_rad));
+    if (distance_m >= kIdleSpeed_m_s * dt_s || jaw_rad >= kIdleJaw_rad_s * dt_s) return true;
+  }
+  return false;
+}
+
+/// For each gated sample, whether anything moves in the tenth of a second around it.
+std::vector<bool> moving(const Demonstration& document) {
+  const std::span<const Sample> samples = document.gated();
+  std::vector<bool> result(samples.size());
+  std::size_t first = 0;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double t_s = document.time_of(samples[i]);
+    while (document.time_of(samples[first]) < t_s - kSpeedWindow_s) ++first;
+    while (last + 1 < samples.size() && document.time_of(samples[last + 1]) <= t_s + kSpeedWindow_s) ++last;
+    const double dt_s = document.time_of(samples[last]) - document.time_of(samples[first]);
+    result[i] = dt_s > 0.0 && moves(samples[first], samples[last], dt_s);
+  }
+  return result;
+}
+
+}  // namespace
+
+Quality quality(const Demonstration& document) {
+  const std::span<const Sample> samples = document.gated();
+  Quality result;
+  result.samples = static_cast<int>(samples.size());
+  result.duration_s = document.duration_s();
+  if (samples.size() < 2) return result;
+  const double covered_s = document.time_of(samples.back()) - document.time_of(samples.front());
+  result.rate_hz = static_cast<double>(samples.size() - 1) / covered_s;
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    result.path_length_m[arm] = path_length_m(document, arm);
+    result.mean_speed_m_s[arm] = result.path_length_m[arm] / covered_s;
+    const std::vector<MotionPoint> points = motion_of(document, arm);
+    for (const MotionPoint& point : points) {
+      result.peak_speed_m_s[arm] = std::max(result.peak_speed_m_s[arm], point.speed_m_s);
+      result.mean_jerk_m_s3[arm] += point.jerk_m_s3 / static_cast<double>(points.size());
+    }
+  }
+  const std::vector<bool> flags = moving(document);
+  const auto idle = std::count(flags.begin(), flags.end(), false);
+  result.idle_share = static_cast<double>(idle) / static_cast<double>(flags.size());
+  return result;
+}
+
+std::optional<Trim> idle_ends(const Demonstration& document) {
+  const std::span<const Sample> samples = document.gated();
+  const std::vector<bool> flags = moving(document);
+  const auto first = std::find(flags.begin(), flags.end(), true);
+  if (first == flags.end()) return std::nullopt;
+  const auto last = std::find(flags.rbegin(), flags.rend(), true);
+  const double begin_s = document.time_of(samples[static_cast<std::size_t>(first - flags.begin())]);
+  const double end_s = document.time_of(samples[static_cast<std::size_t>(flags.rend() - last - 1)]);
+  Trim trim{document.begin_s, document.end_s};
+  if (begin_s - document.begin_s > kIdleTime_s) trim.from_s = begin_s - kIdleMargin_s;
+  if (document.end_s - end_s > kIdleTime_s) trim.to_s = end_s + kIdleMargin_s;
+  if (trim.from_s == document.begin_s && trim.to_s == document.end_s) return std::nullopt;
+  return trim;
+}
+
+}  // namespace trocar::demonstration

@@ -1,0 +1,34 @@
+/// Numbers that tell a good demonstration from a poor one, and the trim that leaves out its idle ends.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "engine/demonstration/edits.h"
+
+namespace trocar::demonstration {
+
+/// A tool that moves more slowly than this, for longer than that, is idle (workbench, "Auto-trim idle").
+constexpr double kIdleSpeed_m_s = 0.002;
+constexpr double kIdleTime_s = 0.3;
+/// What stays of an idle end when it is trimmed.
+constexpr double kIdleMargin_s = 0.05;
+
+/// Between the gates; arrays are by arm, left first.
+struct Quality {
+  double duration_s = 0.0;
+  int samples = 0;
+  double rate_hz = 0.0;
+  std::array<double, 2> path_length_m{};
+  std::array<double, 2> mean_speed_m_s{};
+  std::array<double, 2> peak_speed_m_s{};
+  std::array<double, 2> mean_jerk_m_s3{};  ///< Mean magnitude.
+  double idle_share = 0.0;                 ///< Of the duration in which neither tool moves nor opens or closes.
+};
+Quality quality(const Demonstration& document);
+
+/// Leaves out what comes before the first motion and after the last one; nothing if neither end is idle for longer
+/// than `kIdleTime_s`, or nothing moves at all.
+std::optional<Trim> idle_ends(const Demonstration& document);
+
+}  // namespace trocar::demonstration

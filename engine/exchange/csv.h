@@ -1,0 +1,19 @@
+/// A demonstration as comma-separated values: a header row with the names of `columns()`, then a row for each sample.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/demonstration/demonstration.h"
+#include "engine/exchange/imported.h"
+
+namespace trocar::exchange {
+
+/// Numbers are written so that they read back to the same bits.
+std::string to_csv(const demonstration::Demonstration& document);
+
+/// Columns may come in any order; those that are not required may be left out. Lines end with LF or CRLF.
+/// Errors: kCorrupt naming the line at fault and what is wrong with it.
+Result<Imported> from_csv(std::string_view text);
+
+}  // namespace trocar::exchange

@@ -1,0 +1,16 @@
+/// What an import found in a file of another program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/demonstration/recording.h"
+
+namespace trocar::exchange {
+
+struct Imported {
+  demonstration::Recording recording;  ///< Provenance "imported", no initial world; at least 2 samples, checked.
+  std::vector<std::string> lossy;      ///< What the file does not have.
+};
+
+}  // namespace trocar::exchange

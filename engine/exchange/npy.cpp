@@ -1,0 +1,130 @@
+#include "engine/exchange/npy.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+#include "engine/exchange/columns.h"
+#include "engine/exchange/row_reader.h"
+
+namespace trocar::exchange {
+namespace {
+
+constexpr std::string_view kMagic("\x93NUMPY", 6);
+constexpr std::size_t kAlignment = 64;
+
+tl::unexpected<Error> corrupt(std::string message) {
+  return fail(ErrorCode::kCorrupt, std::move(message));
+}
+
+struct Header {
+  std::string_view dictionary;
+  std::string_view data;
+};
+
+/// Splits the file at the end of its header (NumPy's format versions 1 to 3).
+std::optional<Header> split_header(std::string_view bytes) {
+  if (!bytes.starts_with(kMagic) || bytes.size() < 12) return std::nullopt;
+  const auto byte = [&](std::size_t i) { return std::size_t{static_cast<std::uint8_t>(bytes[i])}; };
+  const bool wide = byte(6) >= 2;
+  if (byte(6) < 1 || byte(6) > 3) return std::nullopt;
+  const std::size_t length = wide ? byte(8) | byte(9) << 8 | byte(10) << 16 | byte(11) << 24 : byte(8) | byte(9) << 8;
+  const std::size_t begin = wide ? 12 : 10;
+  if (length > bytes.size() - begin) return std::nullopt;
+  return Header{bytes.substr(begin, length), bytes.substr(begin + length)};
+}
+
+/// What follows `'key':` in the header's dictionary.
+std::string_view value_of(std::string_view dictionary, std::string_view key) {
+  const std::size_t found = dictionary.find(fmt::format("'{}':", key));
+  if (found == std::string_view::npos) return {};
+  std::string_view rest = dictionary.substr(found + key.size() + 3);
+  while (rest.starts_with(' ')) rest.remove_prefix(1);
+  return rest;
+}
+
+bool take_count(std::string_view& text, std::size_t& count) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (parsed.ec != std::errc()) return false;
+  text.remove_prefix(static_cast<std::size_t>(parsed.ptr - text.data()));
+  return true;
+}
+
+struct Shape {
+  std::size_t rows = 0;
+  std::size_t width = 0;
+};
+
+std::optional<Shape> parse_shape(std::string_view text) {
+  Shape shape;
+  if (!text.starts_with('(')) return std::nullopt;
+  text.remove_prefix(1);
+  if (!take_count(text, shape.rows) || !text.starts_with(',')) return std::nullopt;
+  text.remove_prefix(1);
+  if (!take_count(text, shape.width) || !(text.starts_with(')') || text.starts_with(",)"))) return std::nullopt;
+  return shape;
+}
+
+Result<Shape> read_shape(const Header& header) {
+  if (!value_of(header.dictionary, "descr").starts_with("'<f8'")) {
+    return fail(ErrorCode::kUnsupported, "the array must be of little-endian float64 ('<f8')");
+  }
+  if (!value_of(header.dictionary, "fortran_order").starts_with("False")) {
+    return fail(ErrorCode::kUnsupported, "the array must be in C order");
+  }
+  const std::optional<Shape> shape = parse_shape(value_of(header.dictionary, "shape"));
+  if (!shape) return corrupt("the array must have two dimensions, samples and columns");
+  if (shape->width != columns().size()) {
+    return corrupt(
+        fmt::format("the array has {} columns where a demonstration has {}", shape->width, columns().size()));
+  }
+  const std::size_t row_bytes = shape->width * sizeof(double);
+  if (header.data.size() / row_bytes != shape->rows || header.data.size() % row_bytes != 0) {
+    return corrupt(fmt::format("the array's {} rows do not fit its {} bytes", shape->rows, header.data.size()));
+  }
+  return *shape;
+}
+
+}  // namespace
+
+std::string to_npy(const demonstration::Demonstration& document) {
+  const std::vector<demonstration::Sample> samples = table_samples(document);
+  std::string dictionary =
+      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", samples.size(), columns().size());
+  const std::size_t prefix = kMagic.size() + 4;
+  while ((prefix + dictionary.size() + 1) % kAlignment != 0) dictionary += ' ';
+  dictionary += '\n';
+  std::string bytes(kMagic);
+  bytes += {'\x01', '\x00', static_cast<char>(dictionary.size() & 0xFF), static_cast<char>(dictionary.size() >> 8)};
+  bytes += dictionary;
+  for (const demonstration::Sample& sample : samples) {
+    for (const Column& column : columns()) {
+      const double value = column.read(sample);
+      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+  }
+  return bytes;
+}
+
+Result<Imported> from_npy(std::string_view bytes) {
+  const std::optional<Header> header = split_header(bytes);
+  if (!header) return corrupt("the file is not a NumPy array");
+  TROCAR_ASSIGN_OR_RETURN(const Shape shape, read_shape(*header));
+  std::vector<const Column*> order;
+  for (const Column& column : columns()) order.push_back(&column);
+  RowReader reader(order);
+  std::vector<double> values(shape.width);
+  for (std::size_t row = 0; row < shape.rows; ++row) {
+    const std::size_t row_bytes = shape.width * sizeof(double);
+    std::memcpy(values.data(), header->data.data() + row * row_bytes, row_bytes);
+    const Status added = reader.add(values);
+    if (!added) return corrupt(fmt::format("row {}: {}", row + 1, added.error().text()));
+  }
+  return reader.finish();
+}
+
+}  // namespace trocar::exchange

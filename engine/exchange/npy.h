@@ -1,0 +1,19 @@
+/// A demonstration as a NumPy array file: float64, one row for each sample, the columns of `columns()` in their order.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/demonstration/demonstration.h"
+#include "engine/exchange/imported.h"
+
+namespace trocar::exchange {
+
+/// Format version 1.0, little-endian, C order.
+std::string to_npy(const demonstration::Demonstration& document);
+
+/// Errors: kCorrupt for what is not such an array or has another number of columns, naming the row at fault;
+/// kUnsupported for another type of number or Fortran order.
+Result<Imported> from_npy(std::string_view bytes);
+
+}  // namespace trocar::exchange
