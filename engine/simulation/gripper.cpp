@@ -1,6 +1,7 @@
 #include "engine/simulation/gripper.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/spatial/rotation.h"
 
@@ -132,6 +133,32 @@ void drive_jaws(const Gripper& gripper, double jaw_rad, double torque_nm, double
     dJointSetHingeParam(hinge, dParamStopERP, erp);
     dJointSetHingeParam(hinge, dParamStopCFM, cfm);
   }
+}
+
+void pause(const Gripper& gripper) {
+  dBodyDisable(gripper.base.get());
+  for (const Link& link : gripper.links) dBodyDisable(link.body.get());
+  for (const Jaw& jaw : gripper.jaws) {
+    dBodySetLinearVel(jaw.body.get(), 0.0, 0.0, 0.0);
+    dBodySetAngularVel(jaw.body.get(), 0.0, 0.0, 0.0);
+    dBodyDisable(jaw.body.get());
+  }
+}
+
+void resume(const Gripper& gripper) {
+  dBodyEnable(gripper.base.get());
+  for (const Link& link : gripper.links) dBodyEnable(link.body.get());
+  for (const Jaw& jaw : gripper.jaws) dBodyEnable(jaw.body.get());
+}
+
+bool jaws_settled(const Gripper& gripper, double jaw_rad) {
+  constexpr double kSettled_rad = 1e-4;
+  constexpr double kSettled_rad_s = 0.01;
+  if (std::abs(opening(gripper) - std::max(0.0, jaw_rad)) > kSettled_rad) return false;
+  return std::all_of(gripper.jaws.begin(), gripper.jaws.end(), [](const Jaw& jaw) {
+    return std::abs(dJointGetHingeAngleRate(jaw.hinge.get())) < kSettled_rad_s &&
+           kOdeLength * from_ode(dBodyGetLinearVel(jaw.body.get())).norm() < kSettled_rad_s;
+  });
 }
 
 Eigen::Vector3d finger_direction(const Jaw& jaw) {

@@ -47,6 +47,13 @@ double opening(const Gripper& gripper);
 /// each jaw: clamped one by one, both would creep to the side where something pushes.
 void drive_jaws(const Gripper& gripper, double jaw_rad, double torque_nm, double step_s);
 
+/// Stops the jaws where they are and leaves the whole gripper out of the next steps, until `resume`. It saves their
+/// constraints for an arm that stands still and touches nothing.
+void pause(const Gripper& gripper);
+void resume(const Gripper& gripper);
+/// Whether the jaws have come to rest at the opening `jaw_rad`.
+bool jaws_settled(const Gripper& gripper, double jaw_rad);
+
 /// The direction out along a jaw, in W.
 Eigen::Vector3d finger_direction(const Jaw& jaw);
 

@@ -7,6 +7,7 @@ namespace trocar::simulation {
 namespace {
 
 using namespace peg_board;
+using kinematics::kTipFromWrist_m;
 
 constexpr double kJawReach_m =
     0.0025;  ///< From the segment wrist–tip to the farthest point of a jaw, closed or nearly.
@@ -20,9 +21,9 @@ bool awake(const Block& block) {
   return dBodyIsEnabled(block.body.get()) != 0;
 }
 
-/// How far the tips of opened jaws stand away from the tool's axis, and some.
-double jaw_sweep(const Gripper& gripper) {
-  return kJawReach_m + kinematics::kTipFromWrist_m * std::sin(std::min(1.6, std::abs(opening(gripper)) / 2.0 + 0.05));
+/// How far from the tool's axis jaws that are opened that far may reach.
+double sweep_of(double opening_rad) {
+  return kJawReach_m + kTipFromWrist_m * std::sin(std::min(1.5, std::abs(opening_rad) / 2.0 + 0.05));
 }
 
 }  // namespace
@@ -59,28 +60,42 @@ void PairLoop::block_with_blocks(const Physics& physics, const PairLoopInput& in
   }
 }
 
-void PairLoop::block_with_arm(const Physics& physics, const PairLoopInput& input, std::size_t block, std::size_t arm,
-                              BlockTouch& touch) {
+bool PairLoop::block_with_shaft(const Physics& physics, const PairLoopInput& input, std::size_t block,
+                                std::size_t arm) {
+  const Block& pushed = physics.blocks[block];
+  const auto& skeleton = input.postures[arm].skeleton;
+  const Eigen::Vector3d centre = centre_of(pushed);
+  constexpr double kReach_m = kBlockRadius_m + kShaftReach_m;
+  if (centre.z() + kReach_m < std::min({skeleton[0].z(), skeleton[1].z(), skeleton[2].z()})) return false;
+  bool touching = false;
+  for (std::size_t i = 0; i < physics.grippers[arm].links.size(); ++i) {
+    if (distance_to_segment(centre, skeleton[2 - i], skeleton[1 - i]) > kReach_m) continue;
+    patch_.clear();
+    for (const OdeGeom& box : pushed.boxes) patch_.collide(box.get(), physics.grippers[arm].links[i].capsule.get());
+    if (patch_.empty()) continue;
+    dBodyEnable(pushed.body.get());
+    touching |= finish(physics, input, {input.scene_friction, {}});
+  }
+  return touching;
+}
+
+bool PairLoop::block_with_jaws(const Physics& physics, const PairLoopInput& input, std::size_t block, std::size_t arm,
+                               std::array<bool, 2>& touching) {
   const Block& held = physics.blocks[block];
   const Gripper& gripper = physics.grippers[arm];
   const auto& skeleton = input.postures[arm].skeleton;
+  const double reach_m = kBlockRadius_m + sweeps_m_[arm];
   const Eigen::Vector3d centre = centre_of(held);
-  for (std::size_t i = 0; i < gripper.links.size(); ++i) {
-    if (distance_to_segment(centre, skeleton[2 - i], skeleton[1 - i]) > kBlockRadius_m + kShaftReach_m) continue;
-    patch_.clear();
-    for (const OdeGeom& box : held.boxes) patch_.collide(box.get(), gripper.links[i].capsule.get());
-    if (patch_.empty()) continue;
-    dBodyEnable(held.body.get());
-    touch.shaft |= finish(physics, input, {input.scene_friction, {}});
-  }
-  if (distance_to_segment(centre, skeleton[2], skeleton[3]) > kBlockRadius_m + jaw_sweep(gripper)) return;
+  if (centre.z() + reach_m < std::min(skeleton[2].z(), skeleton[3].z())) return false;
+  if (distance_to_segment(centre, skeleton[2], skeleton[3]) > reach_m) return false;
   for (std::size_t i = 0; i < gripper.jaws.size(); ++i) {
     patch_.clear();
     for (const OdeGeom& box : held.boxes) patch_.collide(box.get(), gripper.jaws[i].box.get());
     if (patch_.empty()) continue;
     dBodyEnable(held.body.get());
-    touch.jaws[arm][i] = finish(physics, input, {input.jaw_friction, finger_direction(gripper.jaws[i])});
+    touching[i] = finish(physics, input, {input.jaw_friction, finger_direction(gripper.jaws[i])});
   }
+  return touching[0] || touching[1];
 }
 
 void PairLoop::block_with_scene(const Physics& physics, const PairLoopInput& input, std::size_t block,
@@ -104,45 +119,53 @@ void PairLoop::block_with_scene(const Physics& physics, const PairLoopInput& inp
   }
 }
 
-void PairLoop::jaws_with_scene(const Physics& physics, const PairLoopInput& input, std::size_t arm) {
-  const Gripper& gripper = physics.grippers[arm];
+bool PairLoop::jaws_with_scene(const Physics& physics, const PairLoopInput& input, std::size_t arm) {
   const auto& skeleton = input.postures[arm].skeleton;
-  const double sweep = jaw_sweep(gripper);
-  const double low = std::min(skeleton[2].z(), skeleton[3].z()) - sweep;
-  if (low > kPegHeight_m) return;
+  const double sweep_m = sweeps_m_[arm];
+  const double low = std::min(skeleton[2].z(), skeleton[3].z()) - sweep_m;
+  if (low > kPegHeight_m) return false;
   const ContactMaterial material{input.scene_friction, {}};
-  for (const Jaw& jaw : gripper.jaws) {
+  bool touching = false;
+  for (const Jaw& jaw : physics.grippers[arm].jaws) {
+    const auto touch = [&](const OdeGeom& geom) {
+      patch_.clear();
+      patch_.collide(jaw.box.get(), geom.get());
+      touching |= finish(physics, input, material);
+    };
     if (low < 0.0) {
-      for (const OdeGeom* ground : {&physics.board.board, &physics.board.table}) {
-        patch_.clear();
-        patch_.collide(jaw.box.get(), ground->get());
-        finish(physics, input, material);
-      }
+      touch(physics.board.board);
+      touch(physics.board.table);
     }
     for (std::size_t i = 0; i < physics.board.pegs.size(); ++i) {
-      Eigen::Vector3d foot = physics.board.feet[i];
-      foot.z() = std::clamp(skeleton[3].z(), 0.0, kPegHeight_m);
-      if (distance_to_segment(foot, skeleton[2], skeleton[3]) > 0.012 + sweep) continue;
-      patch_.clear();
-      patch_.collide(jaw.box.get(), physics.board.pegs[i].get());
-      finish(physics, input, material);
+      Eigen::Vector3d beside = physics.board.feet[i];
+      beside.z() = std::clamp(skeleton[3].z(), 0.0, kPegHeight_m);
+      if (distance_to_segment(beside, skeleton[2], skeleton[3]) < kTipFromWrist_m + sweep_m)
+        touch(physics.board.pegs[i]);
     }
   }
+  return touching;
 }
 
-std::array<BlockTouch, kBlockCount> PairLoop::connect(const Physics& physics, const PairLoopInput& input) {
-  Touches touches{};
+Touches PairLoop::connect(const Physics& physics, const PairLoopInput& input) {
+  Touches touches;
+  for (std::size_t arm = 0; arm < sweeps_m_.size(); ++arm) sweeps_m_[arm] = sweep_of(input.openings_rad[arm]);
   // What can wake a block comes first, so that all that is awake then finds its ground.
   for (std::size_t block = 0; block < physics.blocks.size(); ++block) {
+    BlockTouch& touch = touches.blocks[block];
     for (std::size_t arm = 0; arm < physics.grippers.size(); ++arm) {
-      block_with_arm(physics, input, block, arm, touches[block]);
+      const bool by_shaft = block_with_shaft(physics, input, block, arm);
+      const bool by_jaws = block_with_jaws(physics, input, block, arm, touch.jaws[arm]);
+      touch.shaft |= by_shaft;
+      touches.arms[arm] |= by_shaft || by_jaws;
     }
     block_with_blocks(physics, input, block);
   }
   for (std::size_t block = 0; block < physics.blocks.size(); ++block) {
-    if (awake(physics.blocks[block])) block_with_scene(physics, input, block, touches[block]);
+    if (awake(physics.blocks[block])) block_with_scene(physics, input, block, touches.blocks[block]);
   }
-  for (std::size_t arm = 0; arm < physics.grippers.size(); ++arm) jaws_with_scene(physics, input, arm);
+  for (std::size_t arm = 0; arm < physics.grippers.size(); ++arm) {
+    touches.arms[arm] |= jaws_with_scene(physics, input, arm);
+  }
   return touches;
 }
 

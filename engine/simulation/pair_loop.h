@@ -15,10 +15,16 @@ struct BlockTouch {
   bool shaft = false;
 };
 
+struct Touches {
+  std::array<BlockTouch, peg_board::kBlockCount> blocks{};
+  std::array<bool, 2> arms{};  ///< Whether an arm's jaws or shaft touch anything.
+};
+
 /// What the pair loop needs to know besides ODE's bodies. Blocks that sleep (their bodies are disabled) are static for
 /// everything that moves slowly; what moves fast wakes them.
 struct PairLoopInput {
   std::array<ArmPosture, 2> postures;
+  std::array<double, 2> openings_rad{};
   double jaw_friction = 0.8;
   double scene_friction = 0.4;
   double step_s = 0.001;
@@ -29,18 +35,19 @@ struct PairLoopInput {
 /// contacts decides the last bits. Arms do not touch each other, nor an arm's jaws each other (the servo stops at 0).
 class PairLoop {
  public:
-  std::array<BlockTouch, peg_board::kBlockCount> connect(const Physics& physics, const PairLoopInput& input);
+  Touches connect(const Physics& physics, const PairLoopInput& input);
 
  private:
-  using Touches = std::array<BlockTouch, peg_board::kBlockCount>;
   void block_with_blocks(const Physics& physics, const PairLoopInput& input, std::size_t block);
-  void block_with_arm(const Physics& physics, const PairLoopInput& input, std::size_t block, std::size_t arm,
-                      BlockTouch& touch);
+  bool block_with_shaft(const Physics& physics, const PairLoopInput& input, std::size_t block, std::size_t arm);
+  bool block_with_jaws(const Physics& physics, const PairLoopInput& input, std::size_t block, std::size_t arm,
+                       std::array<bool, 2>& touching);
   void block_with_scene(const Physics& physics, const PairLoopInput& input, std::size_t block, BlockTouch& touch);
-  void jaws_with_scene(const Physics& physics, const PairLoopInput& input, std::size_t arm);
+  bool jaws_with_scene(const Physics& physics, const PairLoopInput& input, std::size_t arm);
   bool finish(const Physics& physics, const PairLoopInput& input, const ContactMaterial& material);
 
   ContactPatch patch_;
+  std::array<double, 2> sweeps_m_{};  ///< How far from the tool's axis a jaw may reach, for each arm.
 };
 
 /// The distance between a point and a segment.

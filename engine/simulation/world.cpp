@@ -47,6 +47,9 @@ struct World::Impl {
   explicit Impl(const WorldOptions& world_options);
 
   void step();
+  void drive_arm(std::size_t arm, bool touching);
+  PairLoopInput pair_loop_input() const;
+  void note(const Touches& touches);
   void wake_near_grippers();
   void rest();
   void hold_back();
@@ -139,36 +142,60 @@ void World::Impl::hold_back() {
   for (const Block& block : physics.blocks) limit(block.body.get());
 }
 
-void World::Impl::step() {
-  prepare_ode_for_this_thread();
-  const std::int64_t complaints = ode_complaints_in_this_thread();
-  wake_near_grippers();
-  PairLoopInput input{postures, options.jaw_friction, options.scene_friction, step_s, {}};
-  for (std::size_t i = 0; i < rest_ticks.size(); ++i) input.fast[i] = !state.blocks[i].asleep && rest_ticks[i] == 0;
-  const auto touches = pair_loop.connect(physics, input);
-  for (std::size_t arm = 0; arm < physics.grippers.size(); ++arm) {
-    const ArmCommand& setpoint = state.arms[arm].setpoint;
+/// Lets an arm that stands still and touches nothing out of the step; sets all others in motion.
+void World::Impl::drive_arm(std::size_t arm, bool touching) {
+  const Gripper& gripper = physics.grippers[arm];
+  const ArmCommand& setpoint = state.arms[arm].setpoint;
+  if (setpoint.X_WT == postures[arm].X_WT) {
+    if (!touching && jaws_settled(gripper, setpoint.jaw_rad)) return pause(gripper);
+    set_motion(gripper, postures[arm], postures[arm], step_s);
+  } else {
     const ArmPosture next = posture_of(models[arm], setpoint.X_WT, setpoint_joints[arm]);
-    set_motion(physics.grippers[arm], postures[arm], next, step_s);
-    drive_jaws(physics.grippers[arm], setpoint.jaw_rad, options.grip_torque_nm, step_s);
+    set_motion(gripper, postures[arm], next, step_s);
     postures[arm] = next;
     state.arms[arm].joints = setpoint_joints[arm];
   }
+  drive_jaws(gripper, setpoint.jaw_rad, options.grip_torque_nm, step_s);
+}
+
+void World::Impl::step() {
+  prepare_ode_for_this_thread();
+  const std::int64_t complaints = ode_complaints_in_this_thread();
+  for (const Gripper& gripper : physics.grippers) resume(gripper);
+  wake_near_grippers();
+  const Touches touches = pair_loop.connect(physics, pair_loop_input());
+  for (std::size_t arm = 0; arm < physics.grippers.size(); ++arm) drive_arm(arm, touches.arms[arm]);
   dWorldStep(physics.world(), step_s);
   dJointGroupEmpty(physics.contacts.get());
   for (std::size_t arm = 0; arm < physics.grippers.size(); ++arm) settle(physics.grippers[arm], postures[arm]);
-  for (std::size_t i = 0; i < touches.size(); ++i) {
-    BlockState& block = state.blocks[i];
-    touches_shaft[i] = touches[i].shaft;
-    if (dBodyIsEnabled(physics.blocks[i].body.get()) == 0) continue;
-    block.jaw_contact = touches[i].jaws;
-    block.touches_scene = touches[i].scene;
-  }
+  note(touches);
   hold_back();
   rest();
   state.strained += ode_complaints_in_this_thread() - complaints;
   state.tick.count += Tick::kPerSecond / options.ticks_per_second;
   update_state();
+}
+
+PairLoopInput World::Impl::pair_loop_input() const {
+  PairLoopInput input;
+  input.postures = postures;
+  input.jaw_friction = options.jaw_friction;
+  input.scene_friction = options.scene_friction;
+  input.step_s = step_s;
+  for (std::size_t arm = 0; arm < state.arms.size(); ++arm) input.openings_rad[arm] = state.arms[arm].jaw_rad;
+  for (std::size_t i = 0; i < rest_ticks.size(); ++i) input.fast[i] = !state.blocks[i].asleep && rest_ticks[i] == 0;
+  return input;
+}
+
+/// Takes the contacts of this tick over into the state; a block that sleeps keeps what it touched.
+void World::Impl::note(const Touches& touches) {
+  for (std::size_t i = 0; i < touches.blocks.size(); ++i) {
+    BlockState& block = state.blocks[i];
+    touches_shaft[i] = touches.blocks[i].shaft;
+    if (dBodyIsEnabled(physics.blocks[i].body.get()) == 0) continue;
+    block.jaw_contact = touches.blocks[i].jaws;
+    block.touches_scene = touches.blocks[i].scene;
+  }
 }
 
 void World::Impl::update_arm(std::size_t arm) {
