@@ -12,19 +12,20 @@ namespace {
 constexpr std::uint64_t kMagic = 0x444C524F57524F54ULL;
 constexpr std::uint32_t kVersion = 1;
 
+/// Precondition of each call: the string given is long enough.
 class Writer {
  public:
+  explicit Writer(std::string& bytes) : next_(bytes.data()) {}
   template <typename T>
   void operator()(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T> && !std::is_same_v<T, bool>);
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::memcpy(next_, &value, sizeof value);
+    next_ += sizeof value;
   }
-  void operator()(bool value) { bytes_.push_back(value ? 1 : 0); }
-  void reserve(std::size_t size) { bytes_.reserve(size); }
-  std::string take() { return std::move(bytes_); }
+  void operator()(const bool& value) { *next_++ = value ? 1 : 0; }
 
  private:
-  std::string bytes_;
+  char* next_;
 };
 
 class Counter {
@@ -154,14 +155,14 @@ std::size_t memory_offset() {
 }
 
 std::string encode(const WorldOptions& options, const WorldMemory& memory) {
-  Writer writer;
-  writer.reserve(total_size());
+  std::string bytes(total_size(), '\0');
+  Writer writer(bytes);
   std::uint64_t magic = kMagic;
   std::uint32_t version = kVersion;
   visit_header(writer, magic, version);
   visit_options(writer, options);
   visit_memory(writer, memory);
-  return writer.take();
+  return bytes;
 }
 
 Result<StoredWorld> decode(std::string_view bytes) {
