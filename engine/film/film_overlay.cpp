@@ -1,0 +1,250 @@
+#include "engine/film/film_overlay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/canvas/canvas.h"
+#include "engine/core/check.h"
+#include "engine/film/emblems.h"
+#include "engine/film/pixels.h"
+
+namespace trocar::film {
+namespace {
+
+using canvas::Align;
+using canvas::Canvas;
+using canvas::Point;
+using canvas::TextStyle;
+using canvas::Weight;
+
+// Lengths at a height of 720, where the unit is 1.
+constexpr double kBand = 92.0;
+constexpr double kMargin = 36.0;  // 5 % of the height: inside what every player shows.
+constexpr double kRowHeight = 40.0;
+constexpr double kRowTop = 14.0;
+constexpr double kLeastWidth = 1000.0;  // What the row needs; narrower frames get smaller letters.
+
+double unit_of(int width, int height) {
+  return std::min(height / 720.0, width / kLeastWidth);
+}
+
+/// "01:05.3".
+std::string clock_text(double seconds) {
+  const auto tenths = static_cast<std::int64_t>(std::floor(std::max(0.0, seconds) * 10.0 + 1e-6));
+  return fmt::format("{:02}:{:02}.{}", tenths / 600, tenths / 10 % 60, tenths % 10);
+}
+
+std::string speed_text(double speed) {
+  return speed == 1.0 ? "" : fmt::format("{:g}× speed", speed);
+}
+
+/// Shortens from the end until it fits.
+std::string fitted(const Canvas& canvas, const std::string& text, const TextStyle& style, double width) {
+  if (canvas.text_width(text, style) <= width) return text;
+  std::string shorter = text;
+  while (!shorter.empty() && canvas.text_width(shorter + "…", style) > width) {
+    do shorter.pop_back();
+    while (!shorter.empty() && (static_cast<std::uint8_t>(shorter.back()) & 0xC0U) == 0x80U);
+    if (!shorter.empty() && static_cast<std::uint8_t>(shorter.back()) >= 0xC0U) shorter.pop_back();
+  }
+  return shorter + "…";
+}
+
+/// The width of a clock's text, and the text itself, with every digit as wide as a zero: it must not tremble as it
+/// runs.
+double clock_width(const Canvas& canvas, const std::string& text, const TextStyle& style) {
+  const double zero = canvas.text_width("0", style);
+  double width = 0.0;
+  for (const char& c : text) {
+    width += c >= '0' && c <= '9' ? zero : canvas.text_width(std::string_view(&c, 1), style);
+  }
+  return width;
+}
+
+void draw_clock(Canvas& canvas, Point at, const std::string& text, TextStyle style) {
+  const double zero = canvas.text_width("0", style);
+  style.align = Align::kCentre;
+  for (const char& c : text) {
+    const double width = c >= '0' && c <= '9' ? zero : canvas.text_width(std::string_view(&c, 1), style);
+    canvas.text({at.x + width / 2, at.y}, std::string_view(&c, 1), style);
+    at.x += width;
+  }
+}
+
+/// What of the frame is drawn on, as a canvas with the frame's own coordinates shifted to its corner.
+template <typename Draw>
+void draw_part(Image& frame, const Part& wanted, Draw draw) {
+  const Part part = clipped(wanted, frame.width, frame.height);
+  if (part.width == 0 || part.height == 0) return;
+  Canvas canvas(copy_of(frame, part));
+  draw(canvas);
+  put(frame, canvas.picture(), part.x, part.y);
+}
+
+}  // namespace
+
+struct FilmOverlay::Impl {
+  int width = 0;
+  int height = 0;
+  double unit = 1.0;
+  Canvas ruler{Image(1, 1)};  ///< Measures texts.
+
+  TextStyle style(double size, Weight weight, Rgba colour, Align align = Align::kLeft) const {
+    return {size * unit, weight, colour, align};
+  }
+
+  /// A line of text on glass; `x` is its left end, middle or right end by `align`.
+  void panel(Image& frame, const std::string& text, double x, double y, const TextStyle& letters) {
+    const double pad = 12.0 * unit;
+    const double tall = 2.0 * letters.size_px;
+    const std::string shown = fitted(ruler, text, letters, width - 2 * (kMargin * unit + pad));
+    const double wide = ruler.text_width(shown, letters) + 2 * pad;
+    const double left = letters.align == Align::kLeft ? x : letters.align == Align::kCentre ? x - wide / 2 : x - wide;
+    const Part part{static_cast<int>(std::floor(left)), static_cast<int>(std::floor(y)),
+                    static_cast<int>(std::ceil(wide)) + 1, static_cast<int>(std::ceil(tall)) + 1};
+    draw_part(frame, part, [&](Canvas& canvas) {
+      canvas.rectangle(0, 0, wide, tall, kGlass, 6.0 * unit);
+      TextStyle from_left = letters;
+      from_left.align = Align::kLeft;
+      canvas.text({pad, tall / 2 + 0.36 * letters.size_px}, shown, from_left);
+    });
+  }
+
+  void draw_top(Image& frame, const FrameCaption& caption) {
+    const double margin = kMargin * unit;
+    if (!caption.title.empty()) {
+      const TextStyle letters = style(20.0, Weight::kSemiBold, kWhite);
+      const double room = width - 2 * margin - 260.0 * unit;
+      panel(frame, fitted(ruler, caption.title, letters, room), margin, margin, letters);
+    }
+    const std::string speed = speed_text(caption.speed);
+    if (!speed.empty()) {
+      panel(frame, speed, width - margin, margin, style(20.0, Weight::kSemiBold, kLit, Align::kRight));
+    }
+  }
+
+  void draw_authority(Canvas& canvas, const FrameCaption& caption, double x, double y) const {
+    const AuthorityLook look = look_of(caption.authority);
+    const double tall = kRowHeight * unit;
+    canvas.rectangle(x, y, 176.0 * unit, tall, look.ground, 6.0 * unit);
+    draw_authority_shape(canvas, caption.authority, {x + 24.0 * unit, y + tall / 2}, 10.0 * unit, look.ink);
+    canvas.text({x + 46.0 * unit, y + tall / 2 + 7.2 * unit}, look.word, style(20.0, Weight::kBold, look.ink));
+  }
+
+  void draw_chips(Canvas& canvas, const FrameCaption& caption, double x, double y) const {
+    for (int i = 0; i < demonstration::kSegmentCount; ++i) {
+      const auto segment = static_cast<demonstration::Segment>(i);
+      ChipState state = ChipState::kAhead;
+      if (caption.segment && segment == *caption.segment) state = ChipState::kNow;
+      if (caption.segment && segment < *caption.segment) state = ChipState::kPast;
+      draw_chip(canvas, demonstration::letter(segment), state, caption.segment_progress, {x + i * 50.0 * unit, y},
+                44.0 * unit, kRowHeight * unit);
+    }
+  }
+
+  void draw_pedal_with_name(Canvas& canvas, const char* name, bool pressed, double x, double y) const {
+    draw_pedal(canvas, pressed, {x, y + 10.0 * unit}, 30.0 * unit, 20.0 * unit);
+    canvas.text({x + 40.0 * unit, y + 18.0 * unit}, name,
+                style(14.0, pressed ? Weight::kBold : Weight::kRegular, pressed ? kLit : kSoft));
+    canvas.text({x + 40.0 * unit, y + 35.0 * unit}, pressed ? "pressed" : "up",
+                style(14.0, pressed ? Weight::kSemiBold : Weight::kRegular, pressed ? kLit : kSoft));
+  }
+
+  void draw_jaw_with_name(Canvas& canvas, const char* name, double jaw_rad, double x, double y) const {
+    draw_jaws(canvas, jaw_rad, {x + 4.0 * unit, y + 20.0 * unit}, 28.0 * unit);
+    const double degrees = std::round(jaw_rad * 180.0 / std::numbers::pi) + 0.0;
+    canvas.text({x + 42.0 * unit, y + 18.0 * unit}, name, style(14.0, Weight::kRegular, kSoft));
+    canvas.text({x + 42.0 * unit, y + 35.0 * unit}, fmt::format("{:.0f}°", degrees == 0.0 ? 0.0 : degrees),
+                style(14.0, Weight::kSemiBold, kWhite));
+  }
+
+  void draw_band(Canvas& canvas, const FrameCaption& caption) const {
+    const double margin = kMargin * unit;
+    const double y = kRowTop * unit;
+    canvas.rectangle(0, 0, width, kBand * unit, kGlass);
+    if (caption.duration_s > 0.0) {
+      const double line = std::max(2.0, std::round(3.0 * unit));
+      const double done = std::clamp(caption.time_s / caption.duration_s, 0.0, 1.0);
+      canvas.rectangle(0, 0, width, line, kFaint);
+      canvas.rectangle(0, 0, width * done, line, kWhite);
+    }
+    draw_authority(canvas, caption, margin, y);
+    draw_chips(canvas, caption, margin + 196.0 * unit, y);
+    double right = width - margin - 76.0 * unit;
+    draw_jaw_with_name(canvas, "right", caption.jaw_rad[1], right, y);
+    draw_jaw_with_name(canvas, "left", caption.jaw_rad[0], right -= 94.0 * unit, y);
+    draw_pedal_with_name(canvas, "clutch", caption.clutch_pedal, right -= 128.0 * unit, y);
+    draw_pedal_with_name(canvas, "agent", caption.agent_pedal, right -= 118.0 * unit, y);
+    const double base = 78.0 * unit;
+    std::string clock = clock_text(caption.time_s);
+    if (caption.duration_s > 0.0) clock += " / " + clock_text(caption.duration_s);
+    const TextStyle letters = style(15.0, Weight::kRegular, kSoft);
+    const double wide = clock_width(canvas, clock, letters);
+    draw_clock(canvas, {width - margin - wide, base}, clock, letters);
+    const double room = width - 2 * margin - wide - 20.0 * unit;
+    canvas.text({margin, base}, fitted(canvas, caption.provenance, letters, room), letters);
+  }
+};
+
+FilmOverlay::FilmOverlay(int width, int height) : impl_(std::make_unique<Impl>()) {
+  TROCAR_CHECK(width > 0 && height > 0);
+  impl_->width = width;
+  impl_->height = height;
+  impl_->unit = unit_of(width, height);
+}
+FilmOverlay::~FilmOverlay() = default;
+FilmOverlay::FilmOverlay(FilmOverlay&&) noexcept = default;
+FilmOverlay& FilmOverlay::operator=(FilmOverlay&&) noexcept = default;
+
+void FilmOverlay::draw(Image& frame, const FrameCaption& caption) {
+  TROCAR_CHECK(frame.width == impl_->width && frame.height == impl_->height);
+  const int band = std::min(frame.height, static_cast<int>(std::ceil(kBand * impl_->unit)));
+  impl_->draw_top(frame, caption);
+  if (!caption.caption.empty()) {
+    const TextStyle letters = impl_->style(22.0, Weight::kSemiBold, kWhite, Align::kCentre);
+    impl_->panel(frame, caption.caption, frame.width / 2.0, frame.height - band - 60.0 * impl_->unit, letters);
+  }
+  draw_part(frame, {0, frame.height - band, frame.width, band},
+            [&](Canvas& canvas) { impl_->draw_band(canvas, caption); });
+}
+
+namespace {
+
+/// In the middle of the top of a part of the picture, in line with the titles.
+void draw_name(Image& picture, const std::string& text, int left, int width) {
+  if (text.empty() || width == 0) return;
+  const double unit = unit_of(width, picture.height);
+  const TextStyle letters{22.0 * unit, Weight::kBold, kWhite, Align::kLeft};
+  const double pad = 14.0 * unit;
+  const double tall = 44.0 * unit;
+  const Canvas ruler(Image(1, 1));
+  const std::string shown = fitted(ruler, text, letters, 0.4 * width);
+  const double wide = ruler.text_width(shown, letters) + 2 * pad;
+  const Part part{left + static_cast<int>((width - wide) / 2), static_cast<int>((kMargin - 2.0) * unit),
+                  static_cast<int>(std::ceil(wide)), static_cast<int>(std::ceil(tall))};
+  draw_part(picture, part, [&](Canvas& canvas) {
+    canvas.rectangle(0, 0, wide, tall, kGlass, 6.0 * unit);
+    canvas.text({pad, tall / 2 + 0.36 * letters.size_px}, shown, letters);
+  });
+}
+
+}  // namespace
+
+Image side_by_side(const Image& left, const Image& right, const std::string& left_name, const std::string& right_name) {
+  Image both(left.width + right.width, std::max(left.height, right.height));
+  put(both, left, 0, 0);
+  put(both, right, left.width, 0);
+  const int line = std::max(2, 2 * static_cast<int>(std::lround(both.height / 360.0)));
+  draw_part(both, {left.width - line / 2, 0, line, both.height}, [&](Canvas& canvas) {
+    canvas.rectangle(0, 0, line, both.height, kDark);
+    canvas.rectangle(line / 4.0, 0, line / 2.0, both.height, kSoft);
+  });
+  draw_name(both, left_name, 0, left.width);
+  draw_name(both, right_name, left.width, right.width);
+  return both;
+}
+
+}  // namespace trocar::film
