@@ -18,7 +18,7 @@ constexpr double kPatience_s = 300.0;  // sanitizers are slow
 
 /// A workbench with a new project, without pictures.
 struct Bench {
-  test::ScratchFolder folder;
+  trocar::testing::ScratchFolder folder;
   Workbench workbench{{nullptr, false}};
 
   Bench() { run(OpenProject{folder / "p.trocar", true}); }
