@@ -17,6 +17,9 @@ Options::Options() : root_("Teach a surgical robot by demonstration: record, edi
   add_demo_commands(root_, chosen_);
   add_model_commands(root_, chosen_);
   add_rollout_commands(root_, chosen_);
+  add_field_commands(root_, chosen_);
+  add_view_commands(root_, chosen_);
+  add_video_commands(root_, chosen_);
   add_run_command(root_, chosen_);
   add_doctor_command(root_, chosen_);
 }
@@ -33,7 +36,8 @@ Result<Action> Options::parse(const std::vector<std::string>& arguments) {
   } catch (const CLI::Success&) {
     return Action([text = root_.help()](Console&) -> Result<Answer> { return Answer{{{"help", text}}, text, {}}; });
   } catch (const CLI::ParseError& error) {
-    std::string sentence = error.what();
+    const std::vector<std::string> unknown = root_.remaining(true);
+    std::string sentence = unknown.empty() ? error.what() : unknown.front() + " is no command or option here";
     std::replace(sentence.begin(), sentence.end(), '\n', ' ');
     while (!sentence.empty() && (sentence.back() == '.' || sentence.back() == ' ')) sentence.pop_back();
     return fail(ErrorCode::kInvalidArgument, sentence + " (see --help)");

@@ -2,20 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "engine/demonstration/motion.h"
+
 namespace trocar::app {
 namespace {
-
-double path_length_m(const demonstration::Demonstration& demonstration) {
-  double length = 0.0;
-  const demonstration::Sample* before = nullptr;
-  for (const demonstration::Sample& sample : demonstration.gated()) {
-    if (before != nullptr) {
-      length += (sample.arms[0].measured.pose().p - before->arms[0].measured.pose().p).norm();
-    }
-    before = &sample;
-  }
-  return length;
-}
 
 Json provenance_json(const demonstration::Provenance& provenance) {
   return {{"operator", provenance.operator_kind},
@@ -84,29 +74,29 @@ Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
 
 }  // namespace
 
-Json demonstration_json(const demonstration::Demonstration& demonstration) {
-  const demonstration::Recording& recording = *demonstration.recording;
-  const std::size_t samples = demonstration.gated().size();
-  const double duration_s = demonstration.duration_s();
+Json demonstration_json(const demonstration::Demonstration& document) {
+  const demonstration::Recording& recording = *document.recording;
+  const std::size_t samples = document.gated().size();
+  const double duration_s = document.duration_s();
   Json segments = Json::array();
-  for (const demonstration::SegmentSpan& span : demonstration.segments) {
+  for (const demonstration::SegmentSpan& span : document.segments) {
     segments.push_back({{"label", std::string(1, demonstration::letter(span.label))},
                         {"begin_s", span.begin_s},
                         {"end_s", span.end_s}});
   }
-  return {{"id", demonstration.id.value},
-          {"name", demonstration.name},
+  return {{"id", document.id.value},
+          {"name", document.name},
           {"duration_s", duration_s},
-          {"begin_s", demonstration.begin_s},
-          {"end_s", demonstration.end_s},
+          {"begin_s", document.begin_s},
+          {"end_s", document.end_s},
           {"samples", samples},
           {"rate_hz", duration_s > 0.0 ? static_cast<double>(samples - 1) / duration_s : 0.0},
           {"segments", segments},
-          {"path_length_m", path_length_m(demonstration)},
+          {"path_length_m", demonstration::path_length_m(document, 0)},
           {"outcome", demonstration::to_string(recording.outcome)},
           {"placed", recording.placed},
           {"recovered", recording.recovered},
-          {"hash", hash_text(demonstration.hash())},
+          {"hash", hash_text(document.hash())},
           {"provenance", provenance_json(recording.provenance)}};
 }
 
@@ -126,6 +116,8 @@ void add_demo_commands(CLI::App& root, Action& chosen) {
       },
       run_show);
   add_demo_edit_commands(noun, chosen);
+  add_demo_check_commands(noun, chosen);
+  add_demo_exchange_commands(noun, chosen);
 }
 
 }  // namespace trocar::app

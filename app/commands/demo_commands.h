@@ -12,6 +12,6 @@ void add_demo_check_commands(CLI::App& noun, Action& chosen);     ///< check, di
 void add_demo_exchange_commands(CLI::App& noun, Action& chosen);  ///< import, export
 
 /// What `demo list` and `demo show` say of one demonstration.
-Json demonstration_json(const demonstration::Demonstration& demonstration);
+Json demonstration_json(const demonstration::Demonstration& document);
 
 }  // namespace trocar::app

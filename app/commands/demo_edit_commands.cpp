@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands/demo_commands.h"
+#include "engine/demonstration/quality.h"
 
 namespace trocar::app {
 namespace {
@@ -11,18 +12,33 @@ struct Target {
   std::string demonstration;
 };
 
-Result<Answer> commit(const Target& target, Console& console,
-                      const std::function<Result<demonstration::Edit>(const demonstration::Demonstration&)>& edit_of) {
+Answer unchanged(const demonstration::Demonstration& document) {
+  Answer answer;
+  answer.json = {{"id", nullptr},
+                 {"demonstration", document.id.value},
+                 {"hash_before", hash_text(document.hash())},
+                 {"hash_after", hash_text(document.hash())},
+                 {"hash", hash_text(document.hash())},
+                 {"duration_s", document.duration_s()}};
+  answer.summary = "nothing to change";
+  return answer;
+}
+
+/// Nothing if there is nothing to change.
+using EditMaker = std::function<Result<std::optional<demonstration::Edit>>(const demonstration::Demonstration&)>;
+
+Result<Answer> commit(const Target& target, Console& console, const EditMaker& edit_of) {
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(target.project, console));
   TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), target.demonstration));
-  TROCAR_ASSIGN_OR_RETURN(const demonstration::Edit edit, edit_of(*before));
-  const workbench::Edit whole = workbench::EditDemonstration{before->id, edit};
+  TROCAR_ASSIGN_OR_RETURN(const std::optional<demonstration::Edit> edit, edit_of(*before));
+  if (!edit) return unchanged(*before);
+  const workbench::Edit whole = workbench::EditDemonstration{before->id, *edit};
   const std::string description = workbench::describe(whole, *file.project());
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(whole));
   const auto after = file.project()->demonstrations.at(before->id);
   Answer answer;
   answer.json = {{"id", id},
-                 {"name", demonstration::name_of(edit)},
+                 {"name", demonstration::name_of(*edit)},
                  {"description", description},
                  {"demonstration", after->id.value},
                  {"hash_before", hash_text(before->hash())},
@@ -41,18 +57,13 @@ struct TrimArguments {
   bool idle = false;
 };
 
-/// The gates moved to where either tool first and last moves, half a tenth of a second kept at each end.
-demonstration::Trim idle_trim(const demonstration::Demonstration& demonstration) {
-  return {demonstration.begin_s, demonstration.end_s};
-}
-
 Result<Answer> run_trim(const TrimArguments& arguments, Console& console) {
   if (arguments.idle == (arguments.from_s.has_value() || arguments.to_s.has_value())) {
     return fail(ErrorCode::kInvalidArgument, "trim needs --from, --to or both, or else --idle alone");
   }
   return commit(*arguments.target, console,
-                [&](const demonstration::Demonstration& document) -> Result<demonstration::Edit> {
-                  if (arguments.idle) return idle_trim(document);
+                [&](const demonstration::Demonstration& document) -> Result<std::optional<demonstration::Edit>> {
+                  if (arguments.idle) return demonstration::idle_ends(document);
                   return demonstration::Trim{arguments.from_s.value_or(document.begin_s),
                                              arguments.to_s.value_or(document.end_s)};
                 });
@@ -64,9 +75,10 @@ struct RenameArguments {
 };
 
 Result<Answer> run_rename(const RenameArguments& arguments, Console& console) {
-  return commit(*arguments.target, console, [&](const demonstration::Demonstration&) -> Result<demonstration::Edit> {
-    return demonstration::Rename{arguments.name};
-  });
+  return commit(*arguments.target, console,
+                [&](const demonstration::Demonstration&) -> Result<std::optional<demonstration::Edit>> {
+                  return demonstration::Rename{arguments.name};
+                });
 }
 
 struct LabelArguments {
@@ -77,10 +89,11 @@ struct LabelArguments {
 };
 
 Result<Answer> run_label(const LabelArguments& arguments, Console& console) {
-  return commit(*arguments.target, console, [&](const demonstration::Demonstration&) -> Result<demonstration::Edit> {
-    TROCAR_ASSIGN_OR_RETURN(const demonstration::Segment segment, segment_from(arguments.segment));
-    return demonstration::LabelSegment{segment, arguments.from_s, arguments.to_s};
-  });
+  return commit(*arguments.target, console,
+                [&](const demonstration::Demonstration&) -> Result<std::optional<demonstration::Edit>> {
+                  TROCAR_ASSIGN_OR_RETURN(const demonstration::Segment segment, segment_from(arguments.segment));
+                  return demonstration::LabelSegment{segment, arguments.from_s, arguments.to_s};
+                });
 }
 
 struct RemoveArguments {

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include "app/commands/demo_commands.h"
+#include "engine/demonstration/diff.h"
+#include "engine/demonstration/problems.h"
+
+namespace trocar::app {
+namespace {
+
+struct CheckArguments {
+  std::string project;
+  std::string demonstration;
+};
+
+void bind_check(CLI::App& verb, CheckArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("DEMO", arguments.demonstration, "Its id or name")->required();
+}
+
+Result<Answer> run_check(const CheckArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto document, find_demonstration(*file.project(), arguments.demonstration));
+  std::array<std::size_t, 3> counts{};
+  Answer answer;
+  answer.json = {{"id", document->id.value}, {"problems", Json::array()}};
+  for (const demonstration::Problem& problem : demonstration::problems(*document, spatial::Grid{})) {
+    ++counts[static_cast<std::size_t>(problem.severity)];
+    answer.json["problems"].push_back({{"kind", demonstration::to_string(problem.kind)},
+                                       {"severity", demonstration::to_string(problem.severity)},
+                                       {"begin_s", problem.begin_s},
+                                       {"end_s", problem.end_s},
+                                       {"message", problem.message},
+                                       {"fix", problem.fix}});
+    answer.text +=
+        fmt::format("{:<8} {:6.2f} … {:6.2f} s  {}{}\n", demonstration::to_string(problem.severity), problem.begin_s,
+                    problem.end_s, problem.message, problem.fix.empty() ? "" : fmt::format("  ({})", problem.fix));
+  }
+  const auto [notes, warnings, errors] = counts;
+  answer.summary =
+      fmt::format("{}, {}, {}", counted(errors, "error"), counted(warnings, "warning"), counted(notes, "note"));
+  answer.text += fmt::format("{}: {}", document->name, answer.summary);
+  answer.passed = errors == 0;
+  return answer;
+}
+
+struct DiffArguments {
+  std::string project;
+  std::string demonstration;
+  std::string against = "original";
+};
+
+void bind_diff(CLI::App& verb, DiffArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("DEMO", arguments.demonstration, "Its id or name")->required();
+  verb.add_option("--against", arguments.against, "`original` (as it was recorded) or another demonstration")
+      ->capture_default_str();
+}
+
+Result<Answer> run_diff(const DiffArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto after, find_demonstration(*file.project(), arguments.demonstration));
+  std::shared_ptr<const demonstration::Demonstration> before;
+  if (arguments.against == "original") {
+    before = std::make_shared<const demonstration::Demonstration>(demonstration::original_of(*after));
+  } else {
+    TROCAR_ASSIGN_OR_RETURN(before, find_demonstration(*file.project(), arguments.against));
+  }
+  const demonstration::Difference difference = demonstration::difference(*before, *after);
+  Answer answer;
+  answer.json = {{"id", after->id.value},
+                 {"against", arguments.against},
+                 {"duration_change_s", difference.duration_change_s},
+                 {"removed", difference.removed},
+                 {"added", difference.added},
+                 {"moved", difference.moved},
+                 {"max_deviation_mm", 1e3 * difference.max_deviation_m},
+                 {"rms_deviation_mm", 1e3 * difference.rms_deviation_m}};
+  answer.summary =
+      fmt::format("{:+.2f} s, {} samples removed, {} added, {} moved (at most {:.2f} mm)", difference.duration_change_s,
+                  difference.removed, difference.added, difference.moved, 1e3 * difference.max_deviation_m);
+  answer.text = fmt::format("{} against {}: {}", after->name, arguments.against, answer.summary);
+  return answer;
+}
+
+}  // namespace
+
+void add_demo_check_commands(CLI::App& noun, Action& chosen) {
+  add_verb<CheckArguments>(noun, chosen, "check", "List what is wrong or odd; exit 1 if an error is among it",
+                           bind_check, run_check);
+  add_verb<DiffArguments>(noun, chosen, "diff", "Say what edits changed, or how two demonstrations differ", bind_diff,
+                          run_diff);
+}
+
+}  // namespace trocar::app

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include "app/commands/demo_commands.h"
+#include "engine/exchange/exchange.h"
+
+namespace trocar::app {
+namespace {
+
+Result<exchange::Format> format_of(const std::string& name, const std::string& path) {
+  return name.empty() ? exchange::guess_format(path) : exchange::format_from(name);
+}
+
+std::string lossy_text(const std::vector<std::string>& lossy) {
+  std::string text;
+  for (const std::string& part : lossy) text += (text.empty() ? "; without " : ", ") + part;
+  return text;
+}
+
+struct ImportArguments {
+  std::string project;
+  std::string file;
+  std::string format;
+  std::string name;
+};
+
+void bind_import(CLI::App& verb, ImportArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("FILE", arguments.file, "What to read")->required();
+  verb.add_option("--format", arguments.format, "csv or npy (else guessed from the file's name)");
+  verb.add_option("--name", arguments.name, "Name (else the file's)");
+}
+
+Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const exchange::Format format, format_of(arguments.format, arguments.file));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(exchange::Imported imported, exchange::import_demonstration(arguments.file, format));
+  imported.recording.provenance.created = iso_time(console.clock->unix_s());
+  const std::string name =
+      arguments.name.empty() ? std::filesystem::path(arguments.file).stem().string() : arguments.name;
+  TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId recording, file.store_recording(imported.recording));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(workbench::AddDemonstration{recording, name}));
+  const auto& document = *file.project()->demonstrations.at(demonstration::DemonstrationId{id});
+  Answer answer;
+  answer.json = demonstration_json(document);
+  answer.json["imported"] = 1;
+  answer.json["format"] = exchange::to_string(format);
+  answer.json["lossy"] = imported.lossy;
+  answer.summary =
+      fmt::format("{:.2f} s, {} samples{}", document.duration_s(), document.gated().size(), lossy_text(imported.lossy));
+  answer.text = fmt::format("Demonstration {} ({}): {}", id, name, answer.summary);
+  return answer;
+}
+
+struct ExportArguments {
+  std::string project;
+  std::string demonstration;
+  std::string file;
+  std::string format;
+};
+
+void bind_export(CLI::App& verb, ExportArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("DEMO", arguments.demonstration, "Its id or name")->required();
+  verb.add_option("FILE", arguments.file, "What to write")->required();
+  verb.add_option("--format", arguments.format, "csv or npy (else guessed from the file's name)");
+}
+
+Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const exchange::Format format, format_of(arguments.format, arguments.file));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto document, find_demonstration(*file.project(), arguments.demonstration));
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<std::string> lossy,
+                          exchange::export_demonstration(*document, arguments.file, format));
+  std::error_code ignored;
+  Answer answer;
+  answer.json = {{"out", arguments.file},
+                 {"format", exchange::to_string(format)},
+                 {"samples", document->gated().size()},
+                 {"size_bytes", std::filesystem::file_size(arguments.file, ignored)},
+                 {"lossy", lossy}};
+  answer.summary = fmt::format("{} samples as {}", document->gated().size(), exchange::to_string(format));
+  answer.text = fmt::format("Wrote {}: {} samples{}", arguments.file, document->gated().size(), lossy_text(lossy));
+  return answer;
+}
+
+}  // namespace
+
+void add_demo_exchange_commands(CLI::App& noun, Action& chosen) {
+  add_verb<ImportArguments>(noun, chosen, "import", "Add a demonstration from a file of another program", bind_import,
+                            run_import);
+  add_verb<ExportArguments>(noun, chosen, "export", "Write a demonstration for other programs", bind_export,
+                            run_export);
+}
+
+}  // namespace trocar::app

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/lookup.h"
+#include "app/options.h"
+#include "engine/figure/field_figure.h"
+#include "engine/media/picture_file.h"
+
+namespace trocar::app {
+namespace {
+
+struct ExportArguments {
+  std::string project;
+  std::string model;
+  std::string layer = "reward";
+  std::string slice;
+  bool montage = false;
+  std::string scale = "linear";
+  std::string map;
+  int width = 1000;
+  std::string out;
+};
+
+void bind_export(CLI::App& verb, ExportArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("MODEL", arguments.model, "Id or name")->required();
+  std::string layers;
+  for (const learning::Layer layer : learning::all_layers()) {
+    layers += (layers.empty() ? "" : ", ") + std::string(learning::to_string(layer));
+  }
+  verb.add_option("--layer", arguments.layer, "One of " + layers)->capture_default_str();
+  CLI::Option* slice = verb.add_option("--slice", arguments.slice, "One slice: x=I, y=J or z=K");
+  verb.add_flag("--montage", arguments.montage, "All slices along z (without --slice)")->excludes(slice);
+  verb.add_option("--scale", arguments.scale, "linear, symlog or percentile")
+      ->check(CLI::IsMember({"linear", "symlog", "percentile"}))
+      ->capture_default_str();
+  verb.add_option("--map", arguments.map, "Colour map (else what suits the layer)");
+  verb.add_option("--width", arguments.width, "Width of the picture in pixels")
+      ->check(CLI::Range(100, 8192))
+      ->capture_default_str();
+  verb.add_option("--out", arguments.out, "F.png, F.svg, F.csv or F.npy")->required();
+}
+
+/// What a figure of it shows: the range of numbers, or how many cells each category has.
+std::string contents(const learning::Field& field) {
+  if (!field.categorical) return fmt::format("{} from {:.4g} to {:.4g}", field.title, field.low(), field.high());
+  std::string text = field.title;
+  for (std::size_t category = 0; category < field.categories.size(); ++category) {
+    const auto count = std::count(field.values.begin(), field.values.end(), static_cast<double>(category));
+    text += fmt::format("{}{} {}", category == 0 ? ": " : ", ", field.categories[category], count);
+  }
+  return text;
+}
+
+plot::ScaleKind scale_from(const std::string& text) {
+  if (text == "symlog") return plot::ScaleKind::kSymlog;
+  return text == "percentile" ? plot::ScaleKind::kPercentile : plot::ScaleKind::kLinear;
+}
+
+Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const learning::Layer layer, learning::layer_from(arguments.layer));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
+  const learning::Field field = learning::field(*entry->model, layer);
+  figure::FieldFigureOptions options = figure::suggested_options(field);
+  if (!arguments.slice.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(options.slice, figure::slice_from(arguments.slice, field.grid));
+  }
+  if (arguments.scale != "linear") options.scale = scale_from(arguments.scale);
+  if (!arguments.map.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(options.map, plot::colour_map_from(arguments.map));
+  }
+  options.width_px = arguments.width;
+  const std::filesystem::path out = arguments.out;
+  if (out.extension() == ".png") {
+    TROCAR_RETURN_IF_ERROR(media::write_png(out, figure::draw_field(field, options)));
+  } else {
+    TROCAR_RETURN_IF_ERROR(figure::save_field(field, options, out));
+  }
+  std::error_code ignored;
+  Answer answer;
+  answer.json = {{"layer", learning::to_string(layer)},
+                 {"out", arguments.out},
+                 {"low", field.low()},
+                 {"high", field.high()},
+                 {"unit", field.unit},
+                 {"size_bytes", std::filesystem::file_size(out, ignored)}};
+  answer.summary = contents(field);
+  answer.text = fmt::format("Wrote {}: {}", arguments.out, answer.summary);
+  return answer;
+}
+
+}  // namespace
+
+void add_field_commands(CLI::App& root, Action& chosen) {
+  CLI::App& noun = *root.add_subcommand("field", "Reward, value, Q, visits … over the lattice")->require_subcommand(1);
+  add_verb<ExportArguments>(noun, chosen, "export", "Write one layer as a figure or as numbers", bind_export,
+                            run_export);
+}
+
+}  // namespace trocar::app

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "app/lookup.h"
+#include "app/options.h"
+#include "engine/media/picture_file.h"
+#include "engine/workbench/studio.h"
+
+namespace trocar::app {
+namespace {
+
+struct RenderArguments {
+  std::string project;
+  std::string demonstration;
+  std::optional<double> at_s;
+  std::string camera = "paper";
+  std::string size = "960x540";
+  std::string model;
+  std::string layer = "value";
+  bool path = false;
+  int samples = 4;
+  std::string out;
+};
+
+void bind_render(CLI::App& verb, RenderArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("DEMO", arguments.demonstration, "Demonstration by id or name")->required();
+  verb.add_option("--at", arguments.at_s, "Seconds since the recording began (default: the middle)");
+  verb.add_option("--camera", arguments.camera, "paper, top, side or front")
+      ->check(CLI::IsMember({"paper", "top", "side", "front"}))
+      ->capture_default_str();
+  verb.add_option("--size", arguments.size, "Width and height in pixels")->capture_default_str();
+  verb.add_option("--samples", arguments.samples, "Samples for each pixel")
+      ->check(CLI::IsMember({1, 2, 4}))
+      ->capture_default_str();
+  verb.add_flag("--path", arguments.path, "Draw the left tool's path, coloured by segment");
+  verb.add_option("--model", arguments.model, "Draw a field of this model through its goal");
+  verb.add_option("--layer", arguments.layer, "Which field")->capture_default_str();
+  verb.add_option("--out", arguments.out, "F.png")->required();
+}
+
+scene::CameraPreset preset_from(const std::string& text) {
+  if (text == "top") return scene::CameraPreset::kTop;
+  if (text == "side") return scene::CameraPreset::kSide;
+  return text == "front" ? scene::CameraPreset::kFront : scene::CameraPreset::kPaper;
+}
+
+/// Three slices through the model's goal.
+Result<stage::FieldLayer> layer_of(const workbench::ModelEntry& entry, const std::string& name) {
+  TROCAR_ASSIGN_OR_RETURN(const learning::Layer layer, learning::layer_from(name));
+  const spatial::CellCoordinates goal = entry.model->grid.coordinates(entry.model->goal);
+  workbench::FieldSettings settings;
+  settings.layer = layer;
+  settings.slices = {goal.x, goal.y, goal.z};
+  return workbench::field_layer(std::make_shared<const learning::Field>(learning::field(*entry.model, layer)),
+                                settings);
+}
+
+Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
+  const double at_s = arguments.at_s.value_or(0.5 * (demonstration->begin_s + demonstration->end_s));
+  if (!(at_s >= demonstration->begin_s && at_s <= demonstration->end_s)) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("--at must lie in {:.2f} … {:.2f} s", demonstration->begin_s, demonstration->end_s));
+  }
+
+  workbench::ViewRequest request;
+  request.pose = stage::pose_of(demonstration->sample_at(at_s));
+  request.camera = scene::camera(preset_from(arguments.camera));
+  request.options.highlighted_block = demonstration->recording->provenance.block;
+  request.render = {.width = size.first, .height = size.second, .samples = arguments.samples};
+  if (arguments.path) {
+    request.paths = std::make_shared<const std::vector<stage::PathLayer>>(
+        std::vector{stage::path_of(*demonstration, kinematics::ArmSide::kLeft)});
+  }
+  if (!arguments.model.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
+    TROCAR_ASSIGN_OR_RETURN(stage::FieldLayer layer, layer_of(*entry, arguments.layer));
+    request.fields.push_back(std::move(layer));
+    request.options.lattice_frame = true;
+  }
+  TROCAR_ASSIGN_OR_RETURN(workbench::Studio studio, workbench::Studio::create());
+  TROCAR_ASSIGN_OR_RETURN(const Image picture, studio.picture(request));
+  TROCAR_RETURN_IF_ERROR(media::write_png(arguments.out, picture));
+
+  Answer answer;
+  answer.json = {{"out", arguments.out},
+                 {"width", size.first},
+                 {"height", size.second},
+                 {"camera", arguments.camera},
+                 {"at_s", at_s}};
+  answer.summary = fmt::format("{}×{} at {:.2f} s, camera {}", size.first, size.second, at_s, arguments.camera);
+  answer.text = fmt::format("Wrote {}: {}", arguments.out, answer.summary);
+  return answer;
+}
+
+}  // namespace
+
+void add_view_commands(CLI::App& root, Action& chosen) {
+  CLI::App& noun = *root.add_subcommand("view", "Pictures of the scene")->require_subcommand(1);
+  add_verb<RenderArguments>(noun, chosen, "render", "Draw one moment of a demonstration", bind_render, run_render);
+}
+
+}  // namespace trocar::app
