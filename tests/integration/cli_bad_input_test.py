@@ -1,0 +1,201 @@
+"""The command line against a world that says no: broken projects, broken files, full folders, interrupts."""
+import os
+import pathlib
+import signal
+import sqlite3
+import subprocess
+import time
+import unittest
+
+from cli_support import DONE, TROCAR, USAGE, WORLD, CommandLineTest, trocar
+
+READERS = (["info"], ["history"], ["undo"], ["demo", "list"], ["model", "list"])
+
+
+class BrokenProjects(CommandLineTest):
+    def check_refused(self, path, code, saying=""):
+        before = path.read_bytes() if path.is_file() else None
+        for words in READERS:
+            error = self.refused(*words, path, code=code, saying=saying)
+            self.assertIn(str(path), error)
+        if before is not None:
+            self.assertEqual(path.read_bytes(), before)
+
+    def test_missing(self):
+        self.check_refused(self.folder / "none.trocar", USAGE)
+        self.assertEqual(self.leftovers(), [])
+
+    def test_foreign(self):
+        path = self.folder / "foreign.trocar"
+        for content in (b"", b"x", b"This is a letter, not a project.\n" * 100, os.urandom(20000)):
+            path.write_bytes(content)
+            self.check_refused(path, WORLD)
+        path.unlink()
+        path.mkdir()
+        self.check_refused(path, WORLD)
+
+    def test_a_database_of_another_program(self):
+        path = self.folder / "other.trocar"
+        with sqlite3.connect(path) as database:
+            database.execute("CREATE TABLE journal(id INTEGER PRIMARY KEY)")
+        database.close()
+        self.check_refused(path, WORLD, "another program")
+
+    def test_truncated(self):
+        whole = self.recorded_project().read_bytes()
+        path = self.folder / "cut.trocar"
+        for size in (50, 100, 4096, len(whole) // 2, len(whole) - 1):
+            path.write_bytes(whole[:size])
+            self.check_refused(path, WORLD)
+
+    def test_a_newer_schema_is_refused_and_left_alone(self):
+        path = self.empty_project()
+        database = sqlite3.connect(path)
+        database.execute("PRAGMA user_version = 2")
+        database.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        database.close()
+        self.check_refused(path, WORLD, "newer")
+
+    def test_damage_inside_is_an_error_or_a_warning_but_never_a_crash(self):
+        whole = self.recorded_project().read_bytes()
+        path = self.folder / "damaged.trocar"
+        for number in range(1, 12):
+            page = 8192 * (number * len(whole) // (8192 * 12))
+            path.write_bytes(whole[:page] + b"\xa5" * 8192 + whole[page + 8192:])
+            for words in READERS[:2]:
+                done = trocar(*words, path)
+                self.assertIn(done.returncode, (DONE, WORLD), done.stderr)
+
+    def test_a_journal_that_does_not_apply(self):
+        for sql in ("UPDATE journal SET name = 'dance' WHERE id = 1",
+                    "UPDATE journal SET parameters = '{' WHERE id = 1",
+                    "UPDATE journal SET parameters = '{\"recording\": 77, \"name\": \"x\"}' WHERE id = 1",
+                    "UPDATE objects SET bytes = x'00'", "DELETE FROM objects"):
+            path = self.recorded_project()
+            database = sqlite3.connect(path)
+            database.execute(sql)
+            database.commit()
+            database.close()
+            self.refused("info", path, code=WORLD)
+
+
+class BrokenFiles(CommandLineTest):
+    def test_demonstrations_that_are_none(self):
+        project = self.recorded_project()
+        good = self.folder / "good.csv"
+        self.answer("demo", "export", project, "1", good)
+        lines = good.read_text().splitlines()
+        header = next(i for i, line in enumerate(lines) if not line.startswith("#"))
+        columns = lines[header].split(",")
+        row = lines[header + 1].split(",")
+        before = self.answer("info", project)["hash"]
+        x = next(i for i, name in enumerate(columns) if name.endswith("x_m") or name.endswith("_x") or "p_x" in name)
+        nan_row = ",".join(row[:x] + ["nan"] + row[x + 1:])
+        cases = {
+            "empty": "",
+            "header only": "\n".join(lines[:header + 1]) + "\n",
+            "one sample": "\n".join(lines[:header + 2]) + "\n",
+            "not a number": "\n".join(lines[:header + 2] + [nan_row]) + "\n",
+            "words": "\n".join(lines[:header + 1] + [",".join(["word"] * len(columns))] * 3) + "\n",
+            "short rows": "\n".join(lines[:header + 1] + ["1,2,3"] * 3) + "\n",
+            "backwards": "\n".join(lines[:header + 1] + lines[header + 1:header + 4][::-1]) + "\n",
+            "unknown columns": "a,b\n1,2\n3,4\n",
+            "binary": "\0\1\2\xff" * 50,
+        }
+        for name, text in cases.items():
+            with self.subTest(name):
+                path = self.folder / "bad.csv"
+                path.write_text(text, encoding="latin-1")
+                done = trocar("demo", "import", project, path)
+                self.assertIn(done.returncode, (USAGE, WORLD), done.stderr)
+                self.assertEqual(self.answer("info", project)["hash"], before)
+        self.refused("demo", "import", project, self.folder / "none.csv", code=USAGE)
+        (self.folder / "folder.csv").mkdir()
+        self.refused("demo", "import", project, self.folder / "folder.csv", code=WORLD)
+
+    def test_what_was_exported_comes_back(self):
+        project = self.recorded_project()
+        for suffix in ("csv", "npy"):
+            with self.subTest(suffix):
+                path = self.folder / f"round.{suffix}"
+                self.answer("demo", "export", project, "1", path)
+                answer = self.answer("demo", "import", project, path)
+                self.assertIn("lossy", answer)
+                shown = self.answer("demo", "show", project, str(answer["id"]))
+                original = self.answer("demo", "show", project, "1")
+                self.assertAlmostEqual(shown["duration_s"], original["duration_s"], delta=1e-6)
+                self.assertAlmostEqual(shown["path_length_m"], original["path_length_m"], delta=1e-5)
+                self.assertEqual(shown["provenance"]["operator"], "imported")
+
+
+class Outputs(CommandLineTest):
+    def test_a_path_that_cannot_be_written(self):
+        project = self.recorded_project()
+        for out in (self.folder / "no" / "such", pathlib.Path("/proc/trocar")):
+            self.refused("new", f"{out}.trocar", code=WORLD)
+            self.refused("field", "export", project, "2", "--out", f"{out}.png", code=WORLD)
+            self.refused("field", "export", project, "2", "--out", f"{out}.npy", code=WORLD)
+            self.refused("rollout", "run", project, "2", "--out", f"{out}.csv", code=WORLD)
+            self.refused("demo", "export", project, "1", f"{out}.csv", code=WORLD)
+            self.refused("view", "render", project, "1", "--size", "64x36", "--out", f"{out}.png", code=WORLD)
+            self.refused("video", "render", project, "1", "--size", "64x36", "--out", f"{out}.mp4", code=WORLD)
+        (self.folder / "folder.png").mkdir()
+        self.refused("field", "export", project, "2", "--out", self.folder / "folder.png", code=WORLD)
+        self.assertEqual(self.leftovers(), ["folder.png", "recorded.trocar"])
+
+
+class Interrupts(CommandLineTest):
+    """A signal in the middle: exit code 3, no half-written file, an unharmed project."""
+
+    def interrupt(self, *arguments, wait_for):
+        process = subprocess.Popen([TROCAR, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True)
+        deadline = time.monotonic() + 60
+        while process.poll() is None and not wait_for() and time.monotonic() < deadline:
+            time.sleep(0.005)
+        process.send_signal(signal.SIGINT)
+        out, error = process.communicate(timeout=60)
+        return process.returncode, error
+
+    def test_a_film(self):
+        project = self.recorded_project()
+        film = self.folder / "film.mp4"
+        code, error = self.interrupt("video", "render", project, "1", "--size", "640x360", "--fps", "60", "--out", film,
+                                     wait_for=lambda: len(self.leftovers()) > 1)
+        self.assertEqual(code, WORLD, error)
+        self.assertEqual(self.leftovers(), ["recorded.trocar"])
+        self.assertEqual(self.answer("info", project)["demonstrations"], 1)
+
+    def test_training(self):
+        project = self.recorded_project()
+        before = self.answer("info", project)["hash"]
+        begun = time.monotonic()
+        code, error = self.interrupt("model", "train", project, "1", "--method", "eg-maxent", "--episodes", "10000000",
+                                     wait_for=lambda: time.monotonic() > begun + 0.5)
+        self.assertEqual(code, WORLD, error)
+        self.assertEqual(self.answer("info", project)["hash"], before)
+
+    def test_a_recording_keeps_what_was_recorded_and_the_project_opens(self):
+        project = self.empty_project()
+        size = project.stat().st_size
+        log = pathlib.Path(f"{project}-wal")
+        code, error = self.interrupt("demo", "record", project, "--skill", "novice",
+                                     wait_for=lambda: log.exists() and log.stat().st_size > size)
+        self.assertIn(code, (DONE, WORLD), error)
+        self.assertLessEqual(self.answer("info", project)["demonstrations"], 1)
+
+    def test_killed_without_warning(self):
+        project = self.empty_project()
+        log = pathlib.Path(f"{project}-wal")
+        process = subprocess.Popen([TROCAR, "demo", "record", str(project)], stdout=subprocess.DEVNULL)
+        while process.poll() is None and not (log.exists() and log.stat().st_size > 300000):
+            time.sleep(0.002)
+        process.kill()
+        process.wait()
+        listed = self.answer("demo", "list", project)["demonstrations"]
+        self.assertEqual(len(listed), 1)
+        self.assertGreater(listed[0]["samples"], 100)
+
+
+if __name__ == "__main__":
+    unittest.main()
