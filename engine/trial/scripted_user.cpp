@@ -1,7 +1,5 @@
 #include "engine/trial/scripted_user.h"
 
-#include <cmath>
-
 #include "engine/peg_board/peg_board.h"
 #include "engine/simulation/grasp.h"
 #include "engine/spatial/grid.h"
@@ -19,10 +17,6 @@ constexpr double kFirstLook_s = 0.6;
 constexpr double kGripTime_s = 0.35;
 constexpr double kFeel_s = 0.25;
 constexpr double kGiveUp_s = 0.8;
-constexpr double kRelaxTime_s = 1.5;
-/// A block that moved or turned by more on the way down was pushed by a jaw.
-constexpr double kPushed_m = 0.0020;
-constexpr double kPushed_rad = 0.25;
 constexpr double kAssistantHolds_s = 0.25;
 /// A grasp nearer to the lattice's faces than this is avoided if there is another.
 constexpr double kLatticeMargin_m = 0.0004;
@@ -63,18 +57,6 @@ void ScriptedUser::choose_grasp(const Glimpse& seen) {
     wall = walls[1];
   }
   grasp_ = judged(simulation::grasp_pose(X_WK, wall));
-  block_before_ = X_WK;
-}
-
-void ScriptedUser::try_again(const Glimpse& seen) {
-  grip(draw_opening(), kGripTime_s);
-  choose_grasp(seen);
-  go(Step::kAbove);
-}
-
-bool ScriptedUser::pushed(const Glimpse& seen) const {
-  return (seen.block.X_WK.p - block_before_.p).norm() > kPushed_m ||
-         spatial::angle_between(seen.block.X_WK.q, block_before_.q) > kPushed_rad;
 }
 
 void ScriptedUser::think(const Glimpse& seen) {
@@ -107,23 +89,23 @@ void ScriptedUser::think_of_grasp(const Glimpse& seen) {
       }
       return;
     case Step::kDescend:
-      if (pushed(seen) && !hand_busy()) return try_again(seen);
       if (!reach(seen, {grasp_, 1.5 * tolerance_m, 0.10, 1.5}) || !waited(pause_s_)) return;
-      grip_rad_ = draw_grip();
-      grip(grip_rad_, kGripTime_s);
+      grip(draw_grip(), kGripTime_s);
       return go(Step::kClose);
     case Step::kClose: {
       const bool feels = seen.block.held_by(ArmSide::kLeft);
       if (hand_busy() || !waited(kGripTime_s + (feels ? kFeel_s : kGiveUp_s))) return;
+      lifted_from_ = seen.block.X_WK.p;
       return go(Step::kLift);
     }
     case Step::kLift: {
       if (!reach(seen, {{at_height(grasp_.p, kLiftedTip_m), grasp_.q}, 5.0 * tolerance_m, 0.15, 1.3})) return;
-      const bool lifted = seen.block.X_WK.p.z() > block_before_.p.z() + 0.5 * (kLiftedTip_m - grasp_.p.z());
-      if (!lifted) return try_again(seen);
-      grip(grip_rad_ + skill().relaxing_rad * std::abs(random().normal()), kRelaxTime_s);
-      hasty_ = random().uniform() < skill().haste;
-      return go(Step::kCarry);
+      const bool lifted = seen.block.X_WK.p.z() > lifted_from_.z() + 0.5 * (kLiftedTip_m - grasp_.p.z());
+      if (lifted) return go(Step::kCarry);
+      // Missed: up again with open jaws, another look, another try.
+      grip(draw_opening(), kGripTime_s);
+      choose_grasp(seen);
+      return go(Step::kAbove);
     }
     default:
       return;
@@ -138,12 +120,8 @@ void ScriptedUser::think_of_transfer(const Glimpse& seen) {
       if (waited(pause_s_) && reach(seen, {hand_off, 6.0 * tolerance_m, 0.15, 1.2})) go(Step::kPresent);
       return;
     case Step::kPresent:
-      if (hasty_) {
-        if (!seen.block.touched_by(ArmSide::kRight)) return;
-      } else {
-        if (!seen.block.held_by(ArmSide::kRight)) begin_step();
-        if (!waited(kAssistantHolds_s + pause_s_ + skill().reaction_s)) return;
-      }
+      if (!seen.block.held_by(ArmSide::kRight)) begin_step();
+      if (!waited(kAssistantHolds_s + pause_s_ + skill().reaction_s)) return;
       grip(draw_opening(), kGripTime_s);
       return go(Step::kOpen);
     case Step::kOpen:
