@@ -92,7 +92,7 @@ std::filesystem::path share_path(std::string_view relative) {
   if (const char* share = std::getenv("TROCAR_SHARE")) return std::filesystem::path(share) / relative;
   std::error_code ignored;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const std::filesystem::path installed = program.parent_path().parent_path() / "share" / "trocar" / relative;
+  std::filesystem::path installed = program.parent_path().parent_path() / "share" / "trocar" / relative;
   if (std::filesystem::exists(installed, ignored)) return installed;
   return std::filesystem::path(TROCAR_SOURCE_DIR) / relative;
 }
