@@ -10,6 +10,7 @@ using canvas::Canvas;
 using canvas::TextStyle;
 
 constexpr double kBarWidth = 18.0;
+constexpr double kPoint = 11.0;
 constexpr double kTick = 5.0;
 constexpr double kGap = 7.0;
 constexpr double kRow = 24.0;
@@ -56,21 +57,51 @@ void draw_swatch(Canvas& canvas, Mark mark, double x, double y, double size) {
   canvas.outline(x, y, size, size, kQuiet, 1.0);
 }
 
-void draw_bar(Canvas& canvas, const FieldLook& look, const KeyPlace& place, double height) {
-  const double width = kBarWidth * place.unit;
-  const int steps = std::max(2, static_cast<int>(height));
+/// Where values lie beyond the scale the bar ends in a point.
+struct Clipping {
+  bool below = false;
+  bool above = false;
+};
+Clipping clipping_of(const learning::Field& field, const plot::Scale& scale) {
+  return {field.low() < scale.low, field.high() > scale.high};
+}
+
+void draw_points(Canvas& canvas, const FieldLook& look, const Clipping& clipping, const KeyPlace& bar) {
+  const double width = kBarWidth * bar.unit;
+  const double tall = kPoint * bar.unit;
+  const double bottom = bar.y + bar.height;
+  const std::vector<canvas::Point> up{{bar.x, bar.y}, {bar.x + width / 2, bar.y - tall}, {bar.x + width, bar.y}};
+  const std::vector<canvas::Point> down{{bar.x, bottom}, {bar.x + width / 2, bottom + tall}, {bar.x + width, bottom}};
+  if (clipping.above) {
+    canvas.polygon(up, plot::colour(look.map, 1.0));
+    canvas.polyline(up, kInk, 1.0);
+  }
+  if (clipping.below) {
+    canvas.polygon(down, plot::colour(look.map, 0.0));
+    canvas.polyline(down, kInk, 1.0);
+  }
+}
+
+void draw_bar(Canvas& canvas, const FieldLook& look, const Clipping& clipping, const KeyPlace& room) {
+  KeyPlace bar = room;
+  const double point = (kPoint + 1.0) * bar.unit;
+  bar.y += clipping.above ? point : 0.0;
+  bar.height -= (clipping.above ? point : 0.0) + (clipping.below ? point : 0.0);
+  const double width = kBarWidth * bar.unit;
+  const int steps = std::max(2, static_cast<int>(bar.height));
   for (int i = 0; i < steps; ++i) {
-    const double top = place.y + height * i / steps;
-    canvas.rectangle(place.x, top, width, height / steps + (i + 1 < steps ? 0.5 : 0.0),
+    const double top = bar.y + bar.height * i / steps;
+    canvas.rectangle(bar.x, top, width, bar.height / steps + (i + 1 < steps ? 0.5 : 0.0),
                      plot::colour(look.map, 1.0 - (i + 0.5) / steps));
   }
-  canvas.outline(place.x, place.y, width, height, kInk, 1.0);
-  const BarTicks bar = bar_ticks(look.scale);
-  const TextStyle style = label_style(place.unit);
-  for (std::size_t i = 0; i < bar.values.size(); ++i) {
-    const double y = std::round(place.y + height * (1.0 - look.scale.position(bar.values[i])) - 0.5) + 0.5;
-    canvas.line({place.x + width, y}, {place.x + width + kTick * place.unit, y}, kInk, 1.0);
-    canvas.text({place.x + width + (kTick + kGap) * place.unit, y + 0.36 * style.size_px}, bar.labels[i], style);
+  canvas.outline(bar.x, bar.y, width, bar.height, kInk, 1.0);
+  draw_points(canvas, look, clipping, bar);
+  const BarTicks ticks = bar_ticks(look.scale);
+  const TextStyle style = label_style(bar.unit);
+  for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+    const double y = std::round(bar.y + bar.height * (1.0 - look.scale.position(ticks.values[i])) - 0.5) + 0.5;
+    canvas.line({bar.x + width, y}, {bar.x + width + kTick * bar.unit, y}, kInk, 1.0);
+    canvas.text({bar.x + width + (kTick + kGap) * bar.unit, y + 0.36 * style.size_px}, ticks.labels[i], style);
   }
 }
 
@@ -98,7 +129,8 @@ void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOpt
     if (head > 0.0) canvas.text({place.x, place.y + 0.6 * row}, field.unit, label_style(place.unit));
     KeyPlace bar = place;
     bar.y += head;
-    draw_bar(canvas, look, bar, place.height - head - marks_height - (marks.empty() ? 0.0 : 0.8 * row));
+    bar.height -= head + marks_height + (marks.empty() ? 0.0 : 0.8 * row);
+    draw_bar(canvas, look, clipping_of(field, look.scale), bar);
   } else {
     draw_classes(canvas, field, look, place);
     y = place.y + row * (static_cast<double>(field.categories.size()) + 0.6);

@@ -154,6 +154,29 @@ TEST_CASE("the expert's cells change the picture where they are") {
   CHECK_FALSE(elsewhere == plain);  // The key names the mark.
 }
 
+TEST_CASE("the colour bar ends in a point where values lie beyond the scale, and is flat where none do") {
+  learning::Field field = numbered(6);
+  FieldFigureOptions options;
+  options.slice = Slice{2, 2};
+  options.scale = plot::ScaleKind::kPercentile;
+  const auto narrow_rows = [&] {
+    // Rows with a few pixels of the map's last colour right of the slice: a point, narrower than the bar.
+    const Image image = draw_field(field, options);
+    int narrow = 0;
+    for (int y = 0; y < image.height; ++y) {
+      int count = 0;
+      for (int x = image.width * 87 / 100; x < image.width; ++x) {
+        count += image.at(x, y) == plot::colour(plot::ColourMap::kViridis, 1.0) ? 1 : 0;
+      }
+      narrow += count > 0 && count < 8 ? 1 : 0;
+    }
+    return narrow;
+  };
+  CHECK(narrow_rows() > 2);
+  options.scale = plot::ScaleKind::kLinear;
+  CHECK(narrow_rows() == 0);
+}
+
 TEST_CASE("the CSV has a row for each cell, and its numbers read back as the same numbers") {
   learning::Field field = numbered(4);
   field.values[0] = 0.1 + 0.2;
