@@ -147,8 +147,10 @@ def board():
 
 
 def table():
-    """In W: a disc at the table's height, far wider than any view; it fades into the background."""
-    return loft([[(600.0 * math.cos(math.pi * i / 24), 600.0 * math.sin(math.pi * i / 24), -21.1) for i in range(48)]])
+    """In W: a square at the table's height, wider than the circle where everything has faded into the background."""
+    solid = Solid()
+    solid.face((-450.0, -450.0, -21.1), (450.0, -450.0, -21.1), (450.0, 450.0, -21.1), (-450.0, 450.0, -21.1))
+    return solid
 
 
 def peg():
@@ -188,8 +190,8 @@ def block():
 
 
 def shaft():
-    """Origin at the wrist-pitch joint, whose axis is y; z out along the tool. The tube ends 92 mm up."""
-    solid = revolve([(0.0, -92.0), (3.9, -92.0), (4.2, -91.7), (4.2, -12.4), (3.95, -12.2), (3.95, -11.4), (4.2, -11.2),
+    """Origin at the wrist-pitch joint, whose axis is y; z out along the tool. The tube ends 34 mm up, where the stage lets it fade."""
+    solid = revolve([(4.2, -34.0), (4.2, -12.4), (3.95, -12.2), (3.95, -11.4), (4.2, -11.2),
                      (4.2, -7.0), (3.7, -5.4), (0.0, -5.4)], 32)
     # Revolving leaves the outside facing out whichever way z runs; the ears hold the wrist between them.
     ear = bevelled(stadium(0.0, 2.7, 6.6), -0.65, 0.65, 0.18)
@@ -275,6 +277,21 @@ def area_normal(face):
     return total
 
 
+def split(ring):
+    """A convex polygon as triangles, the widest first: slivers cost a software renderer more than area does."""
+    count = len(ring)
+    if count == 3:
+        return [tuple(ring)]
+    if count == 4:
+        return [(ring[0], ring[1], ring[2]), (ring[0], ring[2], ring[3])]
+    a, b = count // 3, 2 * count // 3
+    parts = [(ring[0], ring[a], ring[b])]
+    for arc in (ring[:a + 1], ring[a:b + 1], ring[b:] + ring[:1]):
+        if len(arc) > 2:
+            parts += split(arc)
+    return parts
+
+
 def key(p):
     return (round(p[0] * 1e4), round(p[1] * 1e4), round(p[2] * 1e4))
 
@@ -300,9 +317,7 @@ def triangles_of(solid):
             line = " ".join("%.7g" % (round(c * 1e4) / 1e7 + 0.0) for c in point)
             line += " " + " ".join("%.4f" % (c if abs(c) > 5e-5 else 0.0) for c in unit(total))
             corners.append(vertices.setdefault(line, len(vertices)))
-        for i in range(1, len(corners) - 1):
-            if len({corners[0], corners[i], corners[i + 1]}) == 3:
-                triangles.append((corners[0], corners[i], corners[i + 1]))
+        triangles += [t for t in split(corners) if len(set(t)) == 3]
     return list(vertices), triangles
 
 

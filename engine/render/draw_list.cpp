@@ -1,13 +1,16 @@
 #include "engine/render/draw_list.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <map>
+#include <utility>
 
 namespace trocar::render {
 namespace {
 
 /// Closer to opaque than 8 bits can say.
 constexpr float kOpaque = 0.998F;
+/// From here on a highlight is not worth its cost.
+constexpr float kMatteRoughness = 0.9F;
 
 Instance instance_of(const scene::Node& node) {
   const scene::Material& material = node.material;
@@ -15,20 +18,25 @@ Instance instance_of(const scene::Node& node) {
           Eigen::Vector4f(material.roughness, material.metallic, material.emission, 0.0F)};
 }
 
+bool matte(const scene::Material& material) {
+  return (material.roughness >= kMatteRoughness && material.metallic <= 0.0F) || material.emission >= 1.0F;
+}
+
 struct Group {
   const GpuMesh* mesh = nullptr;
+  bool matte = false;
   std::vector<std::size_t> casters;
   std::vector<std::size_t> others;
 };
 
 void add_opaque(const scene::Scene& scene, MeshCache& cache, DrawList& list) {
   std::vector<Group> groups;
-  std::unordered_map<const scene::Mesh*, std::size_t> group_of;
+  std::map<std::pair<const scene::Mesh*, bool>, std::size_t> group_of;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const scene::Node& node = scene.nodes[i];
     if (node.mesh == nullptr || node.material.base_colour.w() < kOpaque) continue;
-    const auto [found, added] = group_of.try_emplace(node.mesh.get(), groups.size());
-    if (added) groups.push_back({&cache.mesh(node.mesh), {}, {}});
+    const auto [found, added] = group_of.try_emplace({node.mesh.get(), matte(node.material)}, groups.size());
+    if (added) groups.push_back({&cache.mesh(node.mesh), matte(node.material), {}, {}});
     Group& group = groups[found->second];
     (node.material.casts_shadow ? group.casters : group.others).push_back(i);
   }
@@ -85,7 +93,7 @@ DrawList make_draw_list(const scene::Scene& scene, const scene::Camera& camera, 
     }
     const GpuMesh* mesh = &cache.mesh(item.node->mesh);
     if (list.blended.empty() || list.blended.back().batch.mesh != mesh) {
-      list.blended.push_back({{mesh, list.instances.size(), 0, 0}, -1});
+      list.blended.push_back({{mesh, list.instances.size(), 0, 0, false}, -1});
     }
     ++list.blended.back().batch.count;
     list.instances.push_back(instance_of(*item.node));

@@ -16,6 +16,7 @@ struct Batch {
   std::size_t first = 0;
   std::size_t count = 0;
   std::size_t caster_count = 0;
+  bool matte = false;  ///< All of it can do without highlights.
 };
 
 /// One step of the see-through pass: a batch, or a quad of the scene if `quad` ≥ 0.

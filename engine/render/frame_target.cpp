@@ -32,7 +32,7 @@ FrameTarget::Buffers FrameTarget::make(int samples, bool with_depth) const {
   gl_.GenFramebuffers(1, &buffers.frame);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, buffers.frame);
   storage(buffers.colour, GL_RGBA8, GL_COLOR_ATTACHMENT0);
-  if (with_depth) storage(buffers.depth, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
+  if (with_depth) storage(buffers.depth, GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
   return buffers;
 }
 
@@ -72,7 +72,7 @@ Image FrameTarget::read() const {
 ShadowMap::ShadowMap(const GlFunctions& gl) : gl_(gl) {
   gl_.GenTextures(1, &texture_);
   gl_.BindTexture(GL_TEXTURE_2D, texture_);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, kSize, kSize, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   // Beyond the map is light.

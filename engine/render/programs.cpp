@@ -1,5 +1,6 @@
 #include "engine/render/programs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -92,9 +93,10 @@ View make_view(const scene::Scene& scene, const scene::Camera& camera, int width
 Result<Programs> Programs::link(const GlFunctions& gl) {
   Programs programs;
   const char* const defines[3] = {"", "#define HARD_SHADOW\n", "#define SOFT_SHADOW\n"};
-  for (std::size_t kind = 0; kind < 3; ++kind) {
-    const std::string fragment = std::string("#version 330 core\n") + defines[kind] + kSurfaceFragment;
-    TROCAR_ASSIGN_OR_RETURN(programs.surface_[kind], link_program(gl, kSurfaceVertex, fragment.c_str()));
+  for (std::size_t i = 0; i < programs.surface_.size(); ++i) {
+    const std::string fragment =
+        std::string("#version 330 core\n") + defines[i / 2] + (i % 2 == 1 ? "#define MATTE\n" : "") + kSurfaceFragment;
+    TROCAR_ASSIGN_OR_RETURN(programs.surface_[i], link_program(gl, kSurfaceVertex, fragment.c_str()));
   }
   TROCAR_ASSIGN_OR_RETURN(programs.shadow_, link_program(gl, kShadowVertex, kShadowFragment));
   TROCAR_ASSIGN_OR_RETURN(programs.background_, link_program(gl, kBackgroundVertex, kBackgroundFragment));
@@ -103,14 +105,14 @@ Result<Programs> Programs::link(const GlFunctions& gl) {
 }
 
 void Programs::release(const GlFunctions& gl) {
-  for (const GLuint program : {surface_[0], surface_[1], surface_[2], shadow_, background_, quad_}) {
-    gl.DeleteProgram(program);
-  }
+  for (const GLuint program : surface_) gl.DeleteProgram(program);
+  for (const GLuint program : {shadow_, background_, quad_}) gl.DeleteProgram(program);
   *this = {};
 }
 
-void Programs::use_surface(const GlFunctions& gl, ShadowKind kind, const View& view, const scene::Scene& scene) const {
-  const Uniforms uniforms{gl, surface_[static_cast<std::size_t>(kind)]};
+void Programs::use_surface(const GlFunctions& gl, ShadowKind kind, bool matte, const View& view,
+                           const scene::Scene& scene) const {
+  const Uniforms uniforms{gl, surface_[2 * static_cast<std::size_t>(kind) + (matte ? 1 : 0)]};
   gl.UseProgram(uniforms.program);
   uniforms.set("clip_from_world", view.clip_from_world);
   uniforms.set("shadow_from_world", view.shadow_from_world);

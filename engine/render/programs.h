@@ -33,13 +33,14 @@ class Programs {
   static Result<Programs> link(const GlFunctions& gl);
   void release(const GlFunctions& gl);
 
-  void use_surface(const GlFunctions& gl, ShadowKind kind, const View& view, const scene::Scene& scene) const;
+  void use_surface(const GlFunctions& gl, ShadowKind kind, bool matte, const View& view,
+                   const scene::Scene& scene) const;
   void use_shadow(const GlFunctions& gl, const View& view) const;
   void use_background(const GlFunctions& gl, const View& view, const scene::Scene& scene) const;
   void use_quad(const GlFunctions& gl, const View& view, const scene::Quad& quad) const;
 
  private:
-  std::array<GLuint, 3> surface_{};  ///< By ShadowKind.
+  std::array<GLuint, 6> surface_{};  ///< By twice the ShadowKind, one more for matte.
   GLuint shadow_ = 0;
   GLuint background_ = 0;
   GLuint quad_ = 0;

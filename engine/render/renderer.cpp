@@ -69,7 +69,9 @@ void Renderer::Impl::draw_shadows(const DrawList& list, const View& view) const 
   shadow_map.bind_for_drawing();
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
-  gl.Disable(GL_CULL_FACE);
+  gl.Enable(GL_CULL_FACE);
+  gl.CullFace(GL_BACK);
+  gl.FrontFace(GL_CW);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   gl.PolygonOffset(1.5F, 4.0F);
@@ -90,8 +92,12 @@ void Renderer::Impl::draw_opaque(const DrawList& list, const View& view, const s
   gl.Clear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, shadow_map.texture());
-  programs.use_surface(gl, kind, view, scene);
-  for (const Batch& batch : list.opaque) draw_batch(batch, batch.count);
+  for (const bool matte : {false, true}) {
+    programs.use_surface(gl, kind, matte, view, scene);
+    for (const Batch& batch : list.opaque) {
+      if (batch.matte == matte) draw_batch(batch, batch.count);
+    }
+  }
   programs.use_background(gl, view, scene);
   gl.DepthMask(GL_FALSE);
   gl.Disable(GL_CULL_FACE);
@@ -108,7 +114,7 @@ void Renderer::Impl::draw_blended(const DrawList& list, const View& view, const 
       if (!surface_in_use) {
         gl.BindTexture(GL_TEXTURE_2D, shadow_map.texture());
         gl.Enable(GL_CULL_FACE);
-        programs.use_surface(gl, kind, view, scene);
+        programs.use_surface(gl, kind, false, view, scene);
       }
       surface_in_use = true;
       draw_batch(step.batch, step.batch.count);

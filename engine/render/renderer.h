@@ -15,7 +15,7 @@ struct RenderOptions {
   int height = 540;
   int samples = 1;  ///< 1, 2 or 4.
   bool shadows = true;
-  bool soft_shadows = true;  ///< 3×3 taps; else one hardware tap, while something moves.
+  bool soft_shadows = true;  ///< Four hardware taps; else one, while something moves.
 };
 
 /// Owns one OSMesa context (and its mesh cache). Threads: created, used and destroyed in one thread, and no other GL

@@ -41,7 +41,8 @@ void main() {
 }
 )";
 
-/// `SOFT_SHADOW`, `HARD_SHADOW` or neither is defined before it; so is the version.
+/// Before it come the version and some of: `SOFT_SHADOW` or `HARD_SHADOW`; `MATTE`, for surfaces that mirror nothing,
+/// which are most of a picture.
 inline constexpr const char* kSurfaceFragment = R"(
 in vec3 p_W;
 in vec3 n_W;
@@ -58,64 +59,54 @@ uniform float shadow_texel;
 out vec4 shown;
 
 float lit_share() {
-#ifdef SOFT_SHADOW
-  float s = 1.4 * shadow_texel;
-  float sum = texture(shadow_map, p_shadow);
-  sum += texture(shadow_map, p_shadow + vec3(-s, 0.0, 0.0)) + texture(shadow_map, p_shadow + vec3(s, 0.0, 0.0));
-  sum += texture(shadow_map, p_shadow + vec3(0.0, -s, 0.0)) + texture(shadow_map, p_shadow + vec3(0.0, s, 0.0));
-  s *= 0.8;
-  sum += texture(shadow_map, p_shadow + vec3(-s, -s, 0.0)) + texture(shadow_map, p_shadow + vec3(s, -s, 0.0));
-  sum += texture(shadow_map, p_shadow + vec3(-s, s, 0.0)) + texture(shadow_map, p_shadow + vec3(s, s, 0.0));
-  return sum * (1.0 / 9.0);
-#else
-#ifdef HARD_SHADOW
+#if defined(SOFT_SHADOW)
+  // Each tap is itself a mean of four texels: together they smooth over four by four.
+  float s = 0.95 * shadow_texel;
+  return 0.25 * (texture(shadow_map, p_shadow + vec3(-s, -s, 0.0)) + texture(shadow_map, p_shadow + vec3(s, -s, 0.0)) +
+                 texture(shadow_map, p_shadow + vec3(-s, s, 0.0)) + texture(shadow_map, p_shadow + vec3(s, s, 0.0)));
+#elif defined(HARD_SHADOW)
   return texture(shadow_map, p_shadow);
 #else
   return 1.0;
 #endif
-#endif
 }
 
-void main() {
-  vec3 n = normalize(n_W);
-  vec3 v = normalize(eye.xyz - eye.w * p_W);
-  float nl = dot(n, to_light);
-  float direct = nl > 0.0 ? nl * lit_share() : 0.0;
-
+#ifndef MATTE
+vec3 glossy(vec3 n, float direct) {
   float roughness = surface.x;
   float metallic = surface.y;
-  vec3 sky = vec3(0.52, 0.56, 0.62);
-  vec3 ground = vec3(0.16, 0.155, 0.15);
-  vec3 ambient = mix(ground, sky, 0.5 + 0.5 * n.z);
-
-  vec3 h = normalize(to_light + v);
-  float nh = max(dot(n, h), 0.0);
+  vec3 v = normalize(eye.xyz - eye.w * p_W);
   float nv = max(dot(n, v), 0.0);
-  float edge = 1.0 - nv;
-  float edge2 = edge * edge;
-  float fresnel = edge2 * edge2;
+  float nh = max(dot(n, normalize(to_light + v)), 0.0);
   float a = max(roughness * roughness, 0.02);
   float bell = nh * nh * (a * a - 1.0) + 1.0;
   float lobe = a * a / (bell * bell * (0.4 + 4.0 * a));
+  float edge = (1.0 - nv) * (1.0 - nv);
   vec3 f0 = mix(vec3(0.04), tint.rgb, metallic);
-  vec3 mirror = f0 + (vec3(1.0) - f0) * (fresnel * (1.0 - 0.85 * roughness));
-
+  vec3 mirror = f0 + (vec3(1.0) - f0) * (edge * edge * (0.9 - 0.85 * roughness));
   // A studio to be mirrored: dark floor, light from above, a bright strip over the viewer's shoulder.
   vec3 r = 2.0 * dot(n, v) * n - v;
   float up = clamp(0.5 + (0.9 - 0.5 * roughness) * r.z, 0.0, 1.0);
-  float strip = clamp(1.0 - 3.0 * abs(r.x - 0.55), 0.0, 1.0) * (1.0 - roughness);
-  vec3 room = mix(vec3(0.05, 0.05, 0.06), vec3(0.85, 0.89, 0.95), up * up) + vec3(0.45 * strip);
+  float strip = clamp(1.0 - 2.2 * abs(r.x - 0.5), 0.0, 1.0) * (1.0 - roughness);
+  vec3 room = mix(vec3(0.10, 0.10, 0.11), vec3(0.74, 0.78, 0.84), up * up) + vec3(0.42 * strip);
+  return mirror * (room * (0.3 + 0.7 * metallic) + vec3(1.3 * lobe * direct));
+}
+#endif
 
-  vec3 diffuse = tint.rgb * (1.0 - metallic) * (0.62 * ambient + vec3(1.02, 0.99, 0.94) * direct);
-  vec3 glossy = mirror * (room * (0.35 + 0.65 * metallic) + vec3(1.6 * lobe * direct));
-  vec3 lit = mix(diffuse + glossy, tint.rgb, surface.z);
-
-  float height = gl_FragCoord.y * fade.z;
-  vec3 behind = mix(background_top, background_bottom, height);
+void main() {
+  vec3 n = normalize(n_W);
+  float direct = max(dot(n, to_light), 0.0) * lit_share();
+  vec3 ambient = mix(vec3(0.105, 0.10, 0.095), vec3(0.34, 0.365, 0.40), 0.5 + 0.5 * n.z);
+  vec3 light = ambient + vec3(1.02, 0.99, 0.94) * direct;
+#ifdef MATTE
+  vec3 lit = tint.rgb * light;
+#else
+  vec3 lit = tint.rgb * (1.0 - surface.y) * light + glossy(n, direct);
+#endif
+  lit = mix(lit, tint.rgb, surface.z);
+  vec3 behind = mix(background_top, background_bottom, gl_FragCoord.y * fade.z);
   float far_share = clamp((length(p_W.xy) - fade.x) * fade.y, 0.0, 1.0);
-  far_share = far_share * far_share * (3.0 - 2.0 * far_share);
-  float alpha = tint.a;
-  shown = vec4(mix(sqrt(lit), behind, far_share) * alpha, alpha);
+  shown = vec4(mix(sqrt(lit), behind, far_share * far_share * (3.0 - 2.0 * far_share)) * tint.a, tint.a);
 }
 )";
 

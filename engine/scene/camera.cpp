@@ -23,6 +23,7 @@ Camera preset_from(const Vector3d& eye, const Vector3d& target, double vertical_
   return camera;
 }
 
+constexpr double kNarrow_rad = spatial::from_degrees(22.0);
 constexpr double kElevationLimit_rad = spatial::from_degrees(89.0);
 
 }  // namespace
@@ -63,13 +64,11 @@ Camera camera(CameraPreset preset) {
       return preset_from(paper.eye, paper.eye + forward, paper.vertical_fov_rad);
     }
     case CameraPreset::kTop:
-      return preset_from(middle + Vector3d(0.0, 0.0, 0.33), middle, spatial::from_degrees(24.0));
-    case CameraPreset::kSide:
-      return preset_from(middle + Vector3d(0.02, 0.33, 0.055), middle + Vector3d(0.0, 0.0, 0.012),
-                         spatial::from_degrees(24.0));
+      return preset_from(middle + Vector3d(0.0, 0.0, 0.33), middle, kNarrow_rad);
+    case CameraPreset::kSide:  // From the user's side, where the agent learns.
+      return preset_from(middle + Vector3d(0.0, -0.33, 0.095), middle + Vector3d(0.0, 0.0, 0.016), kNarrow_rad);
     case CameraPreset::kFront:
-      return preset_from(middle + Vector3d(0.36, 0.0, 0.045), middle + Vector3d(0.0, 0.0, 0.014),
-                         spatial::from_degrees(24.0));
+      return preset_from(middle + Vector3d(0.33, 0.0, 0.085), middle + Vector3d(0.0, 0.0, 0.018), kNarrow_rad);
   }
   return {};
 }

@@ -1,15 +1,13 @@
 #include "engine/scene/mesh_import.h"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
+#include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <assimp/Importer.hpp>
-#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -19,114 +17,191 @@ namespace trocar::scene {
 namespace {
 
 constexpr std::size_t kLimit_bytes = std::size_t{64} << 20;
+constexpr std::uint32_t kCornerLimit = 64;
+constexpr int kPropertyLimit = 64;
 
 tl::unexpected<Error> corrupt(std::string what) {
   return fail(ErrorCode::kCorrupt, "the mesh " + std::move(what));
 }
 
-/// The importer reserves room for as many elements as the header claims; each takes at least a byte.
-Status check_ply_header(std::string_view bytes) {
-  if (bytes.substr(0, 3) != "ply") return corrupt("does not begin as PLY");
-  const std::size_t end = bytes.find("end_header");
-  if (end == std::string_view::npos) return corrupt("has no end of its header");
-  constexpr std::string_view kElement = "element ";
-  std::size_t total = 0;
-  for (std::size_t at = bytes.find(kElement); at < end; at = bytes.find(kElement, at + 1)) {
-    const std::string_view line = bytes.substr(at, std::min(bytes.find('\n', at), end) - at);
-    const std::size_t space = line.find_last_of(' ');
-    std::size_t count = 0;
-    const char* last = line.data() + line.size();
-    const auto [stop, error] = std::from_chars(line.data() + space + 1, last, count);
-    if (error != std::errc() || (stop != last && *stop != '\r')) return corrupt("counts its elements in no number");
-    total += std::min(count, bytes.size());
+/// Words between blanks; a line ends with a newline, perhaps after a carriage return.
+class Words {
+ public:
+  explicit Words(std::string_view text) : rest_(text) {}
+
+  /// Empty at the end.
+  std::string_view next() {
+    const std::size_t begin = rest_.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return rest_ = {};
+    const std::size_t end = std::min(rest_.find_first_of(" \t\r\n", begin), rest_.size());
+    const std::string_view word = rest_.substr(begin, end - begin);
+    rest_.remove_prefix(end);
+    return word;
   }
-  if (total > bytes.size() - end) return corrupt("is cut short");
+  void skip_line() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size())); }
+  std::size_t remaining() const { return rest_.size(); }
+
+  template <typename Number>
+  std::optional<Number> number() {
+    const std::string_view word = next();
+    Number value{};
+    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || stop != word.data() + word.size()) return std::nullopt;
+    return value;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+/// Which column of a vertex's line holds x, y, z, nx, ny, nz; −1 where there is none.
+struct Header {
+  std::array<int, 6> columns{-1, -1, -1, -1, -1, -1};
+  int column_count = 0;
+  std::uint32_t vertex_count = 0;
+  std::uint32_t face_count = 0;
+
+  bool has_normals() const { return columns[3] >= 0 && columns[4] >= 0 && columns[5] >= 0; }
+};
+
+enum class Element { kNone, kVertex, kFace };
+
+Status parse_element(Words& words, Header& header, Element& element) {
+  const std::string_view name = words.next();
+  const std::optional<std::uint32_t> count = words.number<std::uint32_t>();
+  if (!count) return corrupt("counts its elements in no number");
+  if (name == "vertex" && element == Element::kNone) {
+    element = Element::kVertex;
+    header.vertex_count = *count;
+  } else if (name == "face" && element == Element::kVertex) {
+    element = Element::kFace;
+    header.face_count = *count;
+  } else {
+    return corrupt("has other elements than vertices before faces");
+  }
   return {};
 }
 
-bool finite(const aiVector3D& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+Status parse_property(Words& words, Header& header, Element element) {
+  const std::string_view type = words.next();
+  if (element == Element::kFace) {
+    words.next();
+    words.next();
+    const std::string_view name = words.next();
+    if (type == "list" && (name == "vertex_indices" || name == "vertex_index")) return {};
+    return corrupt("has faces that are more than lists of vertices");
+  }
+  if (element != Element::kVertex || type == "list" || header.column_count >= kPropertyLimit) {
+    return corrupt("has a property where none can be");
+  }
+  constexpr std::array<std::string_view, 6> kNames{"x", "y", "z", "nx", "ny", "nz"};
+  const auto* const found = std::find(kNames.begin(), kNames.end(), words.next());
+  if (found != kNames.end()) header.columns[static_cast<std::size_t>(found - kNames.begin())] = header.column_count;
+  ++header.column_count;
+  return {};
 }
 
-/// Before any post-processing, which trusts the indices.
-Status check(const aiScene& scene) {
-  if (scene.mNumMeshes == 0) return corrupt("has no surface");
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    const aiMesh& mesh = *scene.mMeshes[m];
-    if (mesh.mVertices == nullptr || mesh.mNumVertices == 0) return corrupt("has no vertices");
-    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-      if (!finite(mesh.mVertices[i])) return corrupt("has a vertex that is not finite");
+Result<Header> parse_header(Words& words) {
+  if (words.next() != "ply") return corrupt("does not begin as PLY");
+  if (words.next() != "format") return corrupt("does not say its format");
+  if (words.next() != "ascii") return fail(ErrorCode::kUnsupported, "the mesh is binary PLY; only text PLY is read");
+  words.skip_line();
+  Header header;
+  Element element = Element::kNone;
+  for (std::string_view word = words.next(); word != "end_header"; word = words.next()) {
+    if (word == "comment" || word == "obj_info") {
+      words.skip_line();
+    } else if (word == "element") {
+      TROCAR_RETURN_IF_ERROR(parse_element(words, header, element));
+    } else if (word == "property") {
+      TROCAR_RETURN_IF_ERROR(parse_property(words, header, element));
+    } else {
+      return corrupt(word.empty() ? "has no end of its header" : "has a line in its header that PLY does not know");
     }
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      const aiFace& face = mesh.mFaces[f];
-      for (unsigned k = 0; k < face.mNumIndices; ++k) {
-        if (face.mIndices[k] >= mesh.mNumVertices) return corrupt("has a triangle of a vertex that is not there");
+  }
+  if (header.columns[0] < 0 || header.columns[1] < 0 || header.columns[2] < 0) return corrupt("has no coordinates");
+  // Every number takes a digit and a blank: what is promised must fit into what is there before room is made for it.
+  const std::size_t least = std::size_t{2} * header.vertex_count * static_cast<std::size_t>(header.column_count) +
+                            std::size_t{8} * header.face_count;
+  if (least > words.remaining() + 1) return corrupt("is cut short");
+  return header;
+}
+
+Status parse_vertices(Words& words, const Header& header, Mesh& mesh) {
+  std::array<float, kPropertyLimit> line{};
+  const auto at = [&](std::size_t k) { return line[static_cast<std::size_t>(header.columns[k])]; };
+  for (std::uint32_t i = 0; i < header.vertex_count; ++i) {
+    for (int column = 0; column < header.column_count; ++column) {
+      const std::optional<float> value = words.number<float>();
+      if (!value || !std::isfinite(*value)) return corrupt(fmt::format("has no finite number at vertex {}", i));
+      line[static_cast<std::size_t>(column)] = *value;
+    }
+    mesh.positions.emplace_back(at(0), at(1), at(2));
+    if (header.has_normals()) mesh.normals.emplace_back(at(3), at(4), at(5));
+  }
+  return {};
+}
+
+Status parse_faces(Words& words, const Header& header, Mesh& mesh) {
+  std::array<std::uint32_t, kCornerLimit> corners{};
+  for (std::uint32_t face = 0; face < header.face_count; ++face) {
+    const std::optional<std::uint32_t> count = words.number<std::uint32_t>();
+    if (!count || *count < 3 || *count > kCornerLimit) return corrupt(fmt::format("has no polygon at face {}", face));
+    for (std::uint32_t k = 0; k < *count; ++k) {
+      const std::optional<std::uint32_t> index = words.number<std::uint32_t>();
+      if (!index || *index >= header.vertex_count) {
+        return corrupt(fmt::format("has a vertex that is not there at face {}", face));
       }
+      corners[k] = *index;
+    }
+    for (std::uint32_t k = 1; k + 1 < *count; ++k) {
+      mesh.indices.insert(mesh.indices.end(), {corners[0], corners[k], corners[k + 1]});
     }
   }
+  if (mesh.indices.empty()) return corrupt("has no faces");
+  if (!words.next().empty()) return corrupt("goes on after its last face");
   return {};
 }
 
-Eigen::Vector3f vector(const aiVector3D& v) {
-  return {v.x, v.y, v.z};
+/// Area-weighted means of the triangles around each vertex.
+void add_normals(Mesh& mesh) {
+  mesh.normals.assign(mesh.positions.size(), Eigen::Vector3f::Zero());
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const Eigen::Vector3f& a = mesh.positions[mesh.indices[i]];
+    const Eigen::Vector3f normal =
+        (mesh.positions[mesh.indices[i + 1]] - a).cross(mesh.positions[mesh.indices[i + 2]] - a);
+    for (std::size_t k = 0; k < 3; ++k) mesh.normals[mesh.indices[i + k]] += normal;
+  }
 }
 
-void append(const aiMesh& from, Mesh& to) {
-  const auto base = static_cast<std::uint32_t>(to.positions.size());
-  for (unsigned i = 0; i < from.mNumVertices; ++i) {
-    to.positions.push_back(vector(from.mVertices[i]));
-    const Eigen::Vector3f normal = from.HasNormals() ? vector(from.mNormals[i]) : Eigen::Vector3f::Zero();
-    const float length = normal.norm();
+void normalise(Mesh& mesh) {
+  for (Eigen::Vector3f& normal : mesh.normals) {
+    const float length = normal.stableNorm();
     // A vertex of empty triangles only has no normal; any will do.
-    to.normals.push_back(length > 1e-6F ? Eigen::Vector3f(normal / length) : Eigen::Vector3f(Eigen::Vector3f::UnitZ()));
+    if (length > 0.0F && std::isfinite(length)) {
+      normal /= length;
+    } else {
+      normal = Eigen::Vector3f::UnitZ();
+    }
   }
-  for (unsigned f = 0; f < from.mNumFaces; ++f) {
-    const aiFace& face = from.mFaces[f];
-    if (face.mNumIndices != 3) continue;
-    for (unsigned k = 0; k < 3; ++k) to.indices.push_back(base + face.mIndices[k]);
-  }
-}
-
-Result<Mesh> convert(std::string_view bytes, const std::string& extension) {
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extension.c_str());
-  if (scene == nullptr) return corrupt("cannot be read as " + extension);
-  TROCAR_RETURN_IF_ERROR(check(*scene));
-  scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_GenSmoothNormals |
-                                       aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
-                                       aiProcess_PreTransformVertices);
-  if (scene == nullptr) return corrupt("cannot be made into triangles");
-  TROCAR_RETURN_IF_ERROR(check(*scene));
-  Mesh mesh;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], mesh);
-  if (mesh.indices.empty()) return corrupt("has no triangles");
-  return mesh;
 }
 
 }  // namespace
 
-Result<Mesh> parse_mesh(std::string_view bytes, std::string_view extension) {
-  constexpr std::array<std::string_view, 3> kKnown{"ply", "obj", "stl"};
-  if (std::find(kKnown.begin(), kKnown.end(), extension) == kKnown.end()) {
-    return fail(ErrorCode::kUnsupported,
-                "meshes are read from PLY, OBJ and STL files, not from \"" + std::string(extension) + "\"");
-  }
-  if (bytes.empty()) return corrupt("is empty");
-  if (extension == "ply") TROCAR_RETURN_IF_ERROR(check_ply_header(bytes));
-  try {
-    return convert(bytes, std::string(extension));
-  } catch (const std::exception& problem) {
-    return corrupt(std::string("cannot be read: ") + problem.what());
-  }
+Result<Mesh> parse_mesh(std::string_view bytes) {
+  Words words(bytes);
+  TROCAR_ASSIGN_OR_RETURN(const Header header, parse_header(words));
+  Mesh mesh;
+  TROCAR_RETURN_IF_ERROR(parse_vertices(words, header, mesh));
+  TROCAR_RETURN_IF_ERROR(parse_faces(words, header, mesh));
+  if (!header.has_normals()) add_normals(mesh);
+  normalise(mesh);
+  return mesh;
 }
 
 Result<std::shared_ptr<const Mesh>> import_mesh(const std::filesystem::path& path) {
   TROCAR_ASSIGN_OR_RETURN(const std::string bytes, read_file(path, kLimit_bytes));
-  std::string extension = path.extension().string();
-  extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  Result<Mesh> mesh = parse_mesh(bytes, extension);
+  Result<Mesh> mesh = parse_mesh(bytes);
   if (!mesh) return tl::unexpected(std::move(mesh).error().at(path.string()));
   return std::make_shared<const Mesh>(std::move(*mesh));
 }

@@ -1,4 +1,4 @@
-/// Triangle meshes from files (PLY, OBJ, STL).
+/// Triangle meshes from text PLY files.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,14 @@
 
 namespace trocar::scene {
 
-/// All that a file holds as one mesh in the file's units; normals are made where there are none.
-/// Errors: kNotFound, kIo, and those of `parse_mesh`.
+/// A file's mesh in the file's units; normals are made where there are none.
+/// Errors: kNotFound, kIo, and those of `parse_mesh`, naming the file.
 Result<std::shared_ptr<const Mesh>> import_mesh(const std::filesystem::path& path);
 
-/// The same from bytes; `extension` is "ply", "obj" or "stl".
-/// Errors: kUnsupported for another extension; kCorrupt if the bytes are no such mesh: nothing in it, cut short,
-/// numbers that are not finite, a triangle of a vertex that is not there. Threads: any.
-Result<Mesh> parse_mesh(std::string_view bytes, std::string_view extension);
+/// The same from bytes: text PLY with vertices (x, y, z, perhaps nx, ny, nz, in any order and among others that are
+/// passed over) before faces (polygons of 3 to 64 corners, made into triangles).
+/// Errors: kUnsupported for binary PLY; kCorrupt if the bytes are no such mesh: cut short or longer than it says,
+/// numbers that are not finite, a face of a vertex that is not there, no faces at all. Threads: any.
+Result<Mesh> parse_mesh(std::string_view bytes);
 
 }  // namespace trocar::scene

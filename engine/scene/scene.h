@@ -50,6 +50,7 @@ struct Label {
   Eigen::Vector3d p_W{0, 0, 0};
   std::string text;
   Rgba colour{230, 233, 238, 255};
+  double lift_em = 0.0;  ///< How far above the point its middle is, in heights of the text.
 };
 
 struct Scene {
@@ -91,7 +92,7 @@ struct OrbitCamera {
   Eigen::Vector3d target{-0.010, 0.0, 0.015};
   double azimuth_rad = 0.5;
   double elevation_rad = 0.6;
-  double distance_m = 0.24;
+  double distance_m = 0.21;
 
   Camera camera() const;
   void orbit(double d_azimuth_rad, double d_elevation_rad);  ///< Elevation is kept within ±89°.

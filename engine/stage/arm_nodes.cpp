@@ -36,6 +36,9 @@ void add_arm(const Meshes& meshes, kinematics::ArmSide side, const kinematics::J
     nodes.push_back({mesh, material, scene::node_pose(pose)});
   };
   add(meshes.shaft, X_WS, palette::shaft());
+  scene::Material fading = palette::shaft();
+  fading.base_colour.w() = 0.99F;
+  add(meshes.shaft_end, X_WS, fading);
   add(meshes.shaft_pin, X_WS, palette::pin());
   add(meshes.shaft_band, X_WS, palette::material(palette::kArms[kinematics::index_of(side)], 0.5F, 0.0F));
   add(meshes.wrist, X_WL, palette::steel());

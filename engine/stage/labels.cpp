@@ -29,14 +29,15 @@ struct Placed {
 };
 
 /// The labels inside of the picture, nearest first: they get the best places.
-std::vector<Placed> visible(const scene::Scene& scene, const scene::Camera& camera, const Image& picture) {
+std::vector<Placed> visible(const scene::Scene& scene, const scene::Camera& camera, const Image& picture,
+                            double size_px) {
   std::vector<Placed> found;
   for (const scene::Label& label : scene.labels) {
     const Eigen::Vector3d at = camera.project(label.p_W, picture.width, picture.height);
     if (at.z() <= camera.near_m || at.x() < 0.0 || at.y() < 0.0 || at.x() > picture.width || at.y() > picture.height) {
       continue;
     }
-    found.push_back({&label, at.x(), at.y(), at.z()});
+    found.push_back({&label, at.x(), at.y() - label.lift_em * size_px, at.z()});
   }
   std::stable_sort(found.begin(), found.end(), [](const Placed& a, const Placed& b) { return a.depth < b.depth; });
   return found;
@@ -64,7 +65,7 @@ Image with_labels(const Image& picture, const scene::Scene& scene, const scene::
   style.align = canvas::Align::kCentre;
   const double half_height = 0.5 * style.size_px;
   std::vector<Rectangle> taken;
-  for (const Placed& placed : visible(scene, camera, picture)) {
+  for (const Placed& placed : visible(scene, camera, picture, style.size_px)) {
     const double half_width = 0.5 * canvas.text_width(placed.label->text, style) + 1.0;
     const double x = std::clamp(placed.x, half_width, std::max(half_width, picture.width - half_width));
     for (const double step : {0.0, -1.0, 1.0, -2.0}) {

@@ -1,5 +1,6 @@
 #include "engine/stage/meshes.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,9 +11,14 @@
 #include "engine/peg_board/peg_board.h"
 #include "engine/scene/mesh_import.h"
 #include "engine/scene/primitives.h"
+#include "engine/stage/palette.h"
 
 namespace trocar::stage {
 namespace {
+
+/// Where the opaque part of the shaft's mesh ends (tools/make_meshes.py), and how much more fades away.
+constexpr double kShaftEnd_m = 0.034;
+constexpr double kShaftFade_m = 0.034;
 
 scene::Mesh ring(double radius_m, double thickness_m) {
   constexpr int kCorners = 48;
@@ -43,6 +49,9 @@ Result<std::shared_ptr<const Meshes>> Meshes::load() {
   for (const auto& [mesh, name] : files) {
     TROCAR_ASSIGN_OR_RETURN(*mesh, scene::import_mesh(share_path("assets/meshes") / (std::string(name) + ".ply")));
   }
+  const std::array<Eigen::Vector3d, 2> tube{Eigen::Vector3d(0.0, 0.0, -kShaftEnd_m),
+                                            Eigen::Vector3d(0.0, 0.0, -kShaftEnd_m - kShaftFade_m)};
+  meshes->shaft_end = std::make_shared<const scene::Mesh>(scene::tube(tube, palette::kShaftFade, 0.0042, 32));
   meshes->cube = std::make_shared<const scene::Mesh>(scene::unit_cube());
   meshes->axis = std::make_shared<const scene::Mesh>(scene::arrow(0.009F, 0.00045F, 0.0028F, 0.0011F));
   meshes->highlight_ring = std::make_shared<const scene::Mesh>(ring(1.25 * peg_board::kBlockCircumradius_m, 0.0004));

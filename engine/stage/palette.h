@@ -33,10 +33,10 @@ inline scene::Material drawn(Rgba colour) {
 }
 
 inline scene::Material board() {
-  return material({52, 57, 66, 255}, 0.62F, 0.0F);
+  return material({72, 78, 89, 255}, 0.92F, 0.0F);
 }
 inline scene::Material table() {
-  scene::Material made = material({78, 84, 94, 255}, 0.95F, 0.0F);
+  scene::Material made = material({56, 60, 68, 255}, 0.95F, 0.0F);
   made.casts_shadow = false;
   return made;
 }
@@ -65,6 +65,9 @@ inline scene::Material block(int number, bool highlighted) {
   if (highlighted) made.emission = 0.25F;
   return made;
 }
+
+/// The tube's upper end fades, so that a picture from above shows what is under it.
+constexpr std::array<Rgba, 2> kShaftFade{Rgba{255, 255, 255, 255}, Rgba{255, 255, 255, 0}};
 
 constexpr Rgba kHighlight{255, 236, 150, 255};
 constexpr Rgba kFrame{176, 186, 200, 255};

@@ -62,7 +62,7 @@ void add_scale_bar(const Meshes& meshes, scene::Scene& scene) {
     const Vector3d end = lifted + Vector3d(0.0, side * (kLength_m - kWidth_m), 0.0);
     add_bar(meshes, end, {0.0026, kWidth_m, kHeight_m}, palette::kRuler, scene);
   }
-  scene.labels.push_back({kScaleBarMiddle_m + Vector3d(-0.0032, 0.0, 0.0), "10 mm", palette::kText});
+  scene.labels.push_back({kScaleBarMiddle_m, "10 mm", palette::kText, 1.15});
 }
 
 void add_axes(const Meshes& meshes, scene::Scene& scene) {
@@ -79,10 +79,10 @@ void add_axes(const Meshes& meshes, scene::Scene& scene) {
 }
 
 void add_peg_numbers(scene::Scene& scene) {
-  const Vector3d above(0.0, 0.0, peg_board::kPegHeight_m + 0.0034);
+  const Vector3d tip(0.0, 0.0, peg_board::kPegHeight_m);
   for (int i = 0; i < peg_board::kBlockCount; ++i) {
-    scene.labels.push_back({peg_board::start_peg(i) + above, fmt::format("S{}", i), palette::kQuietText});
-    scene.labels.push_back({peg_board::goal_peg(i) + above, fmt::format("G{}", i), palette::kQuietText});
+    scene.labels.push_back({peg_board::start_peg(i) + tip, fmt::format("S{}", i), palette::kQuietText, 1.0});
+    scene.labels.push_back({peg_board::goal_peg(i) + tip, fmt::format("G{}", i), palette::kQuietText, 1.0});
   }
 }
 

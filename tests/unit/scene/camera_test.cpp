@@ -82,6 +82,7 @@ TEST_CASE("a point behind the camera has no positive depth") {
 
 TEST_CASE("an orbit camera stays at its distance and its target stays in the middle") {
   scene::OrbitCamera orbit;
+  orbit.distance_m = 0.24;
   orbit.orbit(1.0, 0.2);
   orbit.pan(0.01, -0.02);
   orbit.zoom(0.5);

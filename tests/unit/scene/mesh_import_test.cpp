@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "engine/core/file.h"
 
@@ -20,7 +22,7 @@ std::string triangle_ply(const std::string& vertex_count, const std::string& fac
 }  // namespace
 
 TEST_CASE("a triangle is read with a normal that points to where it is counter-clockwise") {
-  const Result<scene::Mesh> mesh = scene::parse_mesh(triangle_ply("3", "3 0 1 2\n"), "ply");
+  const Result<scene::Mesh> mesh = scene::parse_mesh(triangle_ply("3", "3 0 1 2\n"));
   REQUIRE(mesh);
   CHECK(mesh->positions.size() == 3);
   REQUIRE(mesh->indices.size() == 3);
@@ -28,38 +30,59 @@ TEST_CASE("a triangle is read with a normal that points to where it is counter-c
 }
 
 TEST_CASE("a quadrilateral becomes two triangles") {
-  const Result<scene::Mesh> mesh = scene::parse_mesh("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", "obj");
+  const Result<scene::Mesh> mesh = scene::parse_mesh(
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
   REQUIRE(mesh);
-  CHECK(mesh->indices.size() == 6);
+  CHECK(mesh->indices == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
+}
+
+TEST_CASE("properties are found by name, in any order, and normals are made unit") {
+  const Result<scene::Mesh> mesh = scene::parse_mesh(
+      "ply\r\nformat ascii 1.0\r\ncomment made by hand\r\nelement vertex 3\r\nproperty float z\r\n"
+      "property uchar red\r\nproperty float nx\r\nproperty float ny\r\nproperty float nz\r\nproperty float x\r\n"
+      "property float y\r\nelement face 1\r\nproperty list uchar int vertex_indices\r\nend_header\r\n"
+      "5 255 0 0 -2 0 0\r\n5 255 0 0 -2 1 0\r\n5 255 0 0 -2 0 1\r\n3 0 2 1\r\n");
+  REQUIRE(mesh);
+  CHECK(mesh->positions[1] == Eigen::Vector3f(1.0F, 0.0F, 5.0F));
+  CHECK(mesh->normals[1] == Eigen::Vector3f(0.0F, 0.0F, -1.0F));
 }
 
 TEST_CASE("what is no mesh is an error and never a picture of something else") {
   const std::string good = triangle_ply("3", "3 0 1 2\n");
-  CHECK(scene::parse_mesh("", "ply").error().code() == ErrorCode::kCorrupt);
-  CHECK(scene::parse_mesh("a picture of a mesh", "ply").error().code() == ErrorCode::kCorrupt);
-  CHECK(scene::parse_mesh("a picture of a mesh", "obj").error().code() == ErrorCode::kCorrupt);
-  CHECK(scene::parse_mesh("a picture of a mesh", "stl").error().code() == ErrorCode::kCorrupt);
-  CHECK(scene::parse_mesh(good.substr(0, good.size() / 2), "ply").error().code() == ErrorCode::kCorrupt);
-  CHECK(scene::parse_mesh(good.substr(0, good.find("end_header")), "ply").error().code() == ErrorCode::kCorrupt);
-  CHECK(scene::parse_mesh(good, "fbx").error().code() == ErrorCode::kUnsupported);
+  CHECK(scene::parse_mesh("").error().code() == ErrorCode::kCorrupt);
+  CHECK(scene::parse_mesh("a picture of a mesh").error().code() == ErrorCode::kCorrupt);
+  CHECK(scene::parse_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").error().code() == ErrorCode::kCorrupt);
+  CHECK(scene::parse_mesh(good + "3 0 1 2\n").error().code() == ErrorCode::kCorrupt);
+  CHECK(scene::parse_mesh("ply\nformat binary_little_endian 1.0\n").error().code() == ErrorCode::kUnsupported);
   CHECK(scene::import_mesh("/nowhere/at/all.ply").error().code() == ErrorCode::kNotFound);
 }
 
+TEST_CASE("a mesh cut short anywhere is an error") {
+  const std::string good = triangle_ply("3", "3 0 1 2");
+  for (std::size_t size = 0; size < good.size(); ++size) CHECK_FALSE(scene::parse_mesh(good.substr(0, size)));
+  CHECK(scene::parse_mesh(good));
+}
+
 TEST_CASE("a triangle of a vertex that is not there is an error") {
-  CHECK_FALSE(scene::parse_mesh(triangle_ply("3", "3 0 1 3\n"), "ply"));
-  CHECK_FALSE(scene::parse_mesh(triangle_ply("3", "3 0 1 4294967295\n"), "ply"));
-  CHECK_FALSE(scene::parse_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999\n", "obj"));
+  CHECK_FALSE(scene::parse_mesh(triangle_ply("3", "3 0 1 3\n")));
+  CHECK_FALSE(scene::parse_mesh(triangle_ply("3", "3 0 1 4294967295\n")));
+  CHECK_FALSE(scene::parse_mesh(triangle_ply("3", "3 0 1 -1\n")));
+  CHECK_FALSE(scene::parse_mesh(triangle_ply("3", "2 0 1\n")));
 }
 
 TEST_CASE("a header that promises more than the file holds is an error, and reserves nothing") {
-  CHECK_FALSE(scene::parse_mesh(triangle_ply("4000000000", "3 0 1 2\n"), "ply"));
-  CHECK_FALSE(scene::parse_mesh(triangle_ply("99999999999999999999999", "3 0 1 2\n"), "ply"));
-  CHECK_FALSE(scene::parse_mesh(triangle_ply("-1", "3 0 1 2\n"), "ply"));
+  CHECK_FALSE(scene::parse_mesh(triangle_ply("4000000000", "3 0 1 2\n")));
+  CHECK_FALSE(scene::parse_mesh(triangle_ply("99999999999999999999999", "3 0 1 2\n")));
+  CHECK_FALSE(scene::parse_mesh(triangle_ply("-1", "3 0 1 2\n")));
 }
 
 TEST_CASE("a mesh with a coordinate that is not finite is an error") {
-  CHECK_FALSE(scene::parse_mesh("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "obj"));
-  CHECK_FALSE(scene::parse_mesh("v inf 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "obj"));
+  for (const std::string wrong : {"nan", "inf", "1e400", "0x1", "one"}) {
+    std::string text = triangle_ply("3", "3 0 1 2\n");
+    text.replace(text.find("\n1 0 0\n") + 1, 1, wrong);
+    CHECK_FALSE(scene::parse_mesh(text));
+  }
 }
 
 TEST_CASE("an error of a file names the file") {
