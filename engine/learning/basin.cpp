@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/learning/policy.h"
 #include "engine/learning/rollout.h"
 #include "engine/statistics/proportion.h"
 
@@ -10,16 +11,10 @@ namespace {
 
 using spatial::Action;
 using spatial::CellIndex;
-using spatial::Grid;
 
 constexpr std::uint8_t kDown = static_cast<std::uint8_t>(Action::kMinusZ);
 /// `from_above` asks for this many −z moves at the end.
 constexpr int kLastMoves = 3;
-
-/// By how much each action changes the flat index.
-std::array<std::int32_t, 6> strides(const Grid& grid) {
-  return {grid.n * grid.n, -grid.n * grid.n, grid.n, -grid.n, 1, -1};
-}
 
 class BasinPass {
  public:

@@ -16,6 +16,7 @@ namespace {
 using spatial::kActionCount;
 
 constexpr double kGradientTolerance = 1e-5;
+constexpr double kNoWay = -std::numeric_limits<double>::infinity();
 
 std::vector<std::uint8_t> expert_flags(const Model& model) {
   std::vector<std::uint8_t> flags(model.theta.size(), 0);
@@ -42,27 +43,16 @@ std::vector<double> first_guess(const Model& model, const Model* previous) {
   return theta;
 }
 
-void note_known_moves(Model& model) {
-  for (int cell = 0; cell < model.grid.cell_count(); ++cell) {
-    if (cell == model.goal.value) continue;
-    std::uint8_t known = 0;
-    for (int a = 0; a < kActionCount; ++a) {
-      if (allowed(model, {cell}, static_cast<spatial::Action>(a))) known = static_cast<std::uint8_t>(known | (1U << a));
-    }
-    model.tried[static_cast<std::size_t>(cell)] = known;
-  }
-}
-
-/// Q from V = log Z.
+/// The known moves, and Q from V = log Z.
 void fill_action_values(Model& model) {
-  std::fill(model.q.begin(), model.q.end(), -std::numeric_limits<double>::infinity());
-  for (int cell = 0; cell < model.grid.cell_count(); ++cell) {
-    const auto s = static_cast<std::size_t>(cell);
-    for (int a = 0; a < kActionCount; ++a) {
-      if ((model.tried[s] >> a & 1) == 0) continue;
-      const auto next = model.grid.neighbour({cell}, static_cast<spatial::Action>(a));
-      model.q[s * kActionCount + static_cast<std::size_t>(a)] =
-          model.theta[s] + model.value[static_cast<std::size_t>(next->value)];
+  model.tried = allowed_moves(model.grid, model.safe);
+  model.tried[static_cast<std::size_t>(model.goal.value)] = 0;
+  const auto stride = strides(model.grid);
+  for (std::size_t s = 0; s < model.value.size(); ++s) {
+    for (std::size_t a = 0; a < kActionCount; ++a) {
+      const bool known = (model.tried[s] >> a & 1) != 0;
+      const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(s) + stride[a]);
+      model.q[s * kActionCount + a] = known ? model.theta[s] + model.value[next] : kNoWay;
     }
   }
 }
@@ -113,7 +103,6 @@ Status solve_exact(Model& model, const Model* previous, Progress& progress) {
     write_solution(model, region, theta);
   }
   complete_partition(model, model.value);
-  note_known_moves(model);
   fill_action_values(model);
   return {};
 }

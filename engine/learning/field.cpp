@@ -69,8 +69,9 @@ std::vector<double> action_values(const Model& model, std::size_t action) {
 
 std::vector<double> margins(const Model& model) {
   std::vector<double> values(model.tried.size(), kUnknown);
+  const std::vector<std::uint8_t> all_candidates = candidate_moves(model);
   for (std::size_t s = 0; s < values.size(); ++s) {
-    const unsigned candidates = candidate_moves(model, {static_cast<std::int32_t>(s)});
+    const unsigned candidates = all_candidates[s];
     std::array<double, kActionCount> q{};
     std::size_t count = 0;
     for (std::size_t a = 0; a < kActionCount; ++a) {

@@ -28,7 +28,7 @@ struct TrainOptions {
   int episodes = 10000;     ///< N.
   std::uint64_t seed = 1;
   int safe_radius = 4;           ///< Chebyshev, in cells.
-  int start_spread = 3;          ///< Training starts within ± this many cells (eg-maxent+, exact).
+  int start_spread = 6;          ///< Training starts within ± this many cells (eg-maxent+, exact).
   double theta_prior = -6.0;     ///< θ₀ of `exact`.
   double regularisation = 0.02;  ///< λ of `exact`.
 };

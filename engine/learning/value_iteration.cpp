@@ -8,7 +8,6 @@
 namespace trocar::learning {
 namespace {
 
-using spatial::CellIndex;
 using spatial::kActionCount;
 
 constexpr double kUnreached = -std::numeric_limits<double>::infinity();
@@ -21,13 +20,13 @@ struct Move {
 
 std::vector<Move> usable_moves(const Model& model) {
   std::vector<Move> moves;
-  for (int cell = 0; cell < model.grid.cell_count(); ++cell) {
-    if (cell == model.goal.value) continue;
-    for (int a = 0; a < kActionCount; ++a) {
-      if ((model.tried[static_cast<std::size_t>(cell)] >> a & 1) == 0) continue;
-      const auto action = static_cast<spatial::Action>(a);
-      if (!allowed(model, {cell}, action)) continue;
-      moves.push_back({cell, model.grid.neighbour({cell}, action)->value, static_cast<std::uint8_t>(a)});
+  const std::vector<std::uint8_t> allowed = allowed_moves(model.grid, model.safe);
+  const auto stride = strides(model.grid);
+  for (std::int32_t cell = 0; cell < model.grid.cell_count(); ++cell) {
+    const auto s = static_cast<std::size_t>(cell);
+    for (std::size_t a = 0; a < kActionCount; ++a) {
+      if (cell == model.goal.value || (allowed[s] & model.tried[s] & 1U << a) == 0) continue;
+      moves.push_back({cell, cell + stride[a], static_cast<std::uint8_t>(a)});
     }
   }
   return moves;
