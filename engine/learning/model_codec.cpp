@@ -131,6 +131,11 @@ std::vector<CellSequence> read_sequences(Reader& reader) {
 
 void read_arrays(Reader& reader, Model& model) {
   const auto cells = static_cast<std::size_t>(model.grid.cell_count());
+  const auto safe = reader.runs<std::uint8_t>(cells);
+  model.safe = spatial::CellSet(model.grid);
+  for (std::size_t s = 0; s < safe.size(); ++s) {
+    if (safe[s] != 0) model.safe.insert({static_cast<std::int32_t>(s)});
+  }
   model.theta = reader.runs<double>(cells);
   model.q = reader.runs<double>(cells * spatial::kActionCount);
   model.value = reader.runs<double>(cells);
@@ -153,7 +158,12 @@ Result<Model> read_body(Reader& reader) {
   if (Status checked = check_training(grid, experts, options); !checked) {
     return corrupt(checked.error().text());
   }
-  Model model = untrained_model(grid, experts, options);
+  Model model;
+  model.options = options;
+  model.grid = grid;
+  model.experts = experts;
+  model.start = experts.front().front();
+  model.goal = experts.front().back();
   read_arrays(reader, model);
   const auto hash = reader.number<std::uint64_t>();
   if (!reader.at_end()) return corrupt("its length does not fit its content");
@@ -170,6 +180,7 @@ std::string encode_model(const Model& model) {
   body.number(model.grid.cell_m);
   body.number(static_cast<std::int32_t>(model.grid.n));
   write_sequences(body, model.experts);
+  body.runs(model.safe.flags());
   body.runs(model.theta);
   body.runs(model.q);
   body.runs(model.value);

@@ -15,7 +15,7 @@ using spatial::CellCoordinates;
 using spatial::CellIndex;
 using spatial::Grid;
 
-constexpr int kMaxCellsASide = 256;
+constexpr int kMaxCellsASide = 192;
 constexpr int kMaxEpisodes = 10'000'000;
 constexpr double kLowestPrior = -50.0;
 

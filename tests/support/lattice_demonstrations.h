@@ -52,4 +52,17 @@ inline std::vector<learning::CellSequence> sample_demonstrations(int scale = 1) 
   return demonstrations;
 }
 
+/// `cells` with the waypoint at `index` moved one cell along +x (+y where the path runs along x), joined to the rest by
+/// single steps: what remains when somebody drags a point of the path. Precondition: 0 < index < cells.size() − 1.
+inline learning::CellSequence with_moved_waypoint(const spatial::Grid& grid, const learning::CellSequence& cells,
+                                                  std::size_t index) {
+  const spatial::CellCoordinates before = grid.coordinates(cells[index - 1]);
+  const spatial::CellCoordinates after = grid.coordinates(cells[index + 1]);
+  const auto aside = before.x != after.x ? spatial::Action::kPlusY : spatial::Action::kPlusX;
+  learning::CellSequence moved(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(index));
+  for (std::size_t i = index - 1; i <= index + 1; ++i) moved.push_back(grid.neighbour(cells[i], aside).value());
+  moved.insert(moved.end(), cells.begin() + static_cast<std::ptrdiff_t>(index) + 1, cells.end());
+  return moved;
+}
+
 }  // namespace trocar::testing
