@@ -16,6 +16,14 @@ namespace {
 using spatial::kActionCount;
 
 constexpr double kGradientTolerance = 1e-5;
+constexpr double kLoosestSolve = 1e-7;
+constexpr double kTightestSolve = 1e-11;
+constexpr double kFinalSolve = 1e-12;
+constexpr int kStepsKept = 5;  ///< Of L-BFGS; each costs 16 bytes for each safe cell.
+// The curvature along one θ is λ plus the variance of the visits, which is near D where visits are rare. Where they are
+// many, θ is mostly held at its limit; these two were the best of a dozen pairs tried (44 iterations became 12).
+constexpr double kVisitShare = 0.5;
+constexpr double kMostFromVisits = 0.03;
 constexpr double kNoWay = -std::numeric_limits<double>::infinity();
 
 std::vector<std::uint8_t> expert_flags(const Model& model) {
@@ -67,41 +75,48 @@ void write_solution(Model& model, const MaxentRegion& region, const std::vector<
   }
 }
 
+/// The search from `guess` (by CellIndex); fills θ, V on the safe set, visits and curve.
+Status optimise(Model& model, const std::vector<double>& guess, Progress& progress) {
+  MaxentObjective objective(model, guess);
+  const MaxentRegion& region = objective.region();
+  std::vector<double> theta(region.count(), exact_reward_limit());
+  for (std::size_t i = 1; i < theta.size(); ++i) theta[i] = guess[static_cast<std::size_t>(region.cells()[i])];
+
+  double tolerance = kLoosestSolve;
+  const BoundedFunction function = [&](const std::vector<double>& x, std::vector<double>& gradient,
+                                       std::vector<double>& curvature) {
+    const double value = objective.evaluate(x, gradient, tolerance);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      gradient[i] = -gradient[i];
+      curvature[i] = model.options.regularisation + std::min(kVisitShare * region.visits()[i], kMostFromVisits);
+    }
+    return -value;
+  };
+  double first = 0.0;
+  const auto each_iteration = [&](double gradient) {
+    model.curve.push_back(objective.mismatch());
+    // Far from the optimum a step gains about gradient²: the solves need not be much better than that.
+    tolerance = std::clamp(1e-3 * gradient * gradient, kTightestSolve, kLoosestSolve);
+    first = std::max(first, gradient);
+    if (gradient < first)
+      progress.set(std::min(0.99, std::log(first / gradient) / std::log(first / kGradientTolerance)));
+  };
+  BoundedOptions options;
+  options.low = lowest_reward();
+  options.high = exact_reward_limit();
+  options.tolerance = kGradientTolerance;
+  options.memory = kStepsKept;
+  TROCAR_RETURN_IF_ERROR(minimise(function, options, theta, each_iteration, progress));
+  std::vector<double> gradient(theta.size());
+  objective.evaluate(theta, gradient, kFinalSolve);
+  write_solution(model, region, theta);
+  return {};
+}
+
 }  // namespace
 
 Status solve_exact(Model& model, const Model* previous, Progress& progress) {
-  {
-    const std::vector<double> guess = first_guess(model, previous);
-    MaxentObjective objective(model, guess);
-    const MaxentRegion& region = objective.region();
-    std::vector<double> theta(region.count());
-    for (std::size_t i = 0; i < theta.size(); ++i) theta[i] = guess[static_cast<std::size_t>(region.cells()[i])];
-    theta[0] = exact_reward_limit();
-
-    const BoundedFunction function = [&](const std::vector<double>& x, std::vector<double>& gradient,
-                                         std::vector<double>& curvature) {
-      const double value = objective.evaluate(x, gradient);
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        gradient[i] = -gradient[i];
-        curvature[i] = model.options.regularisation + std::min(1.0, region.visits()[i]);
-      }
-      return -value;
-    };
-    BoundedOptions options;
-    options.low = lowest_reward();
-    options.high = exact_reward_limit();
-    options.tolerance = kGradientTolerance;
-    double first = 0.0;
-    const auto each_iteration = [&](double gradient) {
-      model.curve.push_back(objective.mismatch());
-      first = std::max(first, gradient);
-      progress.set(std::clamp(std::log(first / gradient) / std::log(first / kGradientTolerance), 0.0, 0.99));
-    };
-    TROCAR_RETURN_IF_ERROR(minimise(function, options, theta, each_iteration, progress));
-    std::vector<double> gradient(theta.size());
-    objective.evaluate(theta, gradient);
-    write_solution(model, region, theta);
-  }
+  TROCAR_RETURN_IF_ERROR(optimise(model, first_guess(model, previous), progress));
   complete_partition(model, model.value);
   fill_action_values(model);
   return {};

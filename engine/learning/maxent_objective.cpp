@@ -8,8 +8,6 @@
 namespace trocar::learning {
 namespace {
 
-constexpr double kTolerance = 1e-11;  ///< Of the linear solves, relative.
-
 std::vector<double> counts_before_goal(const Model& model) {
   std::vector<double> counts(model.theta.size(), 0.0);
   const double share = 1.0 / static_cast<double>(model.experts.size());
@@ -51,9 +49,9 @@ MaxentObjective::MaxentObjective(const Model& model, const std::vector<double>& 
       features_(by_label(region_, counts_before_goal(model))),
       starts_(by_label(region_, start_distribution(model))) {}
 
-double MaxentObjective::evaluate(const std::vector<double>& theta, std::vector<double>& gradient) {
-  region_.solve_partition(theta, kTolerance);
-  region_.solve_visits(starts_, kTolerance);
+double MaxentObjective::evaluate(const std::vector<double>& theta, std::vector<double>& gradient, double tolerance) {
+  region_.solve_partition(theta, tolerance);
+  region_.solve_visits(starts_, tolerance);
   double value = 0.0;
   gradient[0] = 0.0;
   for (std::size_t i = 1; i < theta.size(); ++i) {

@@ -20,8 +20,8 @@ class MaxentObjective {
   /// `theta`, by CellIndex, is where the search will start.
   MaxentObjective(const Model& model, const std::vector<double>& theta);
 
-  /// J, and its gradient.
-  double evaluate(const std::vector<double>& theta, std::vector<double>& gradient);
+  /// J, and its gradient. `tolerance` is the linear solves' last relative change.
+  double evaluate(const std::vector<double>& theta, std::vector<double>& gradient, double tolerance);
   /// ‖f − D‖₁ / ‖f‖₁ at the latest θ.
   double mismatch() const;
 

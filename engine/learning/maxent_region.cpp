@@ -1,7 +1,6 @@
 #include "engine/learning/maxent_region.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -9,6 +8,7 @@
 
 #include "engine/core/check.h"
 #include "engine/learning/portable_math.h"
+#include "engine/learning/power_of_two.h"
 
 namespace trocar::learning {
 namespace {
@@ -17,15 +17,6 @@ using spatial::kActionCount;
 
 constexpr int kMaxSweeps = 100'000;
 constexpr double kSmallVisits = 1e-3;  ///< Below it the tolerance is absolute.
-
-/// 2^k for |k| ≤ 1022.
-double power_of_two(int k) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(std::clamp(k, -1022, 1022) + 1023) << 52);
-}
-
-double inverse_of_power_of_two(double power) {
-  return std::bit_cast<double>(0x7FE0000000000000ULL - std::bit_cast<std::uint64_t>(power));
-}
 
 }  // namespace
 

@@ -1,142 +1,141 @@
 #include "engine/learning/outside_partition.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "engine/core/check.h"
+#include "engine/learning/policy.h"
 #include "engine/learning/portable_math.h"
+#include "engine/learning/power_of_two.h"
 
 namespace trocar::learning {
 namespace {
 
-constexpr int kBlock = 256;  ///< Exponents go in steps of 2^256, so most sums need no shift.
-constexpr double kUp = 0x1p256;
-constexpr double kDown = 0x1p-256;
+using spatial::kActionCount;
+
 constexpr double kTolerance = 1e-12;
-constexpr int kMaxRounds = 100'000;
-
-/// A positive number mantissa · 2^(256 · block), or 0: a double with room for e^±(10^11).
-struct WideNumber {
-  double mantissa = 0.0;
-  std::int32_t block = 0;
-};
-
-WideNumber wide_exp(double logarithm) {
-  const double block = std::floor(logarithm / (kBlock * kLn2) + 0.5);
-  return {portable_exp(logarithm - block * kBlock * kLn2), static_cast<std::int32_t>(block)};
-}
-
-double wide_log(const WideNumber& number) {
-  return portable_log(number.mantissa) + number.block * (kBlock * kLn2);
-}
-
-void add(WideNumber& sum, const WideNumber& term) {
-  if (term.mantissa == 0.0) return;
-  if (sum.mantissa == 0.0 || term.block > sum.block + 1) {
-    sum = term;
-  } else if (term.block == sum.block) {
-    sum.mantissa += term.mantissa;
-  } else if (term.block == sum.block - 1) {
-    sum.mantissa += term.mantissa * kDown;
-  } else if (term.block == sum.block + 1) {
-    sum = {sum.mantissa * kDown + term.mantissa, term.block};
-  }
-}
-
-void normalise(WideNumber& number) {
-  if (number.mantissa == 0.0) return;
-  while (number.mantissa > 0x1p128) {
-    number.mantissa *= kDown;
-    ++number.block;
-  }
-  while (number.mantissa < 0x1p-128) {
-    number.mantissa *= kUp;
-    --number.block;
-  }
-}
+constexpr int kMaxSweeps = 100'000;
+constexpr double kUnknown = -std::numeric_limits<double>::infinity();
 
 class OutsideSolver {
  public:
-  OutsideSolver(const Model& model, const std::vector<double>& log_partition)
-      : model_(model), n_(model.grid.n), values_(log_partition.size()) {
-    for (std::size_t s = 0; s < values_.size(); ++s) {
-      if (model.safe.flags()[s] != 0 && std::isfinite(log_partition[s])) values_[s] = wide_exp(log_partition[s]);
-    }
-  }
+  OutsideSolver(const Model& model, std::vector<double>& log_partition)
+      : model_(model),
+        logs_(log_partition),
+        moves_(allowed_moves(model.grid, model.safe)),
+        stride_(strides(model.grid)),
+        weight_(portable_exp(model.options.theta_prior)) {}
 
-  void solve() {
-    // Eight directions of travel: whichever way a cell's best paths run, one of the sweeps follows them.
-    for (int round = 0; round < kMaxRounds; ++round) {
-      bool settled = true;
-      for (int direction = 0; direction < 8; ++direction) settled = sweep(direction) && settled;
-      if (settled) return;
-    }
-    TROCAR_CHECK(false);  // θ below the limit makes the sweep a contraction
-  }
-
-  void write(std::vector<double>& log_partition) const {
-    for (std::size_t s = 0; s < values_.size(); ++s) {
-      if (model_.safe.flags()[s] == 0) log_partition[s] = wide_log(values_[s]);
+  void run() {
+    spread();
+    choose_scales();
+    for (int count = 0; !sweep(); ++count) TROCAR_CHECK(count < kMaxSweeps);  // θ₀ below the limit: a contraction
+    for (const std::int32_t cell : order_) {
+      const auto s = static_cast<std::size_t>(cell);
+      logs_[s] = portable_log(partition_[s]) + kLn2 * scales_[s];
     }
   }
 
  private:
-  bool sweep(int direction) {
-    bool settled = true;
-    for (int i = 0; i < n_; ++i) {
-      const int x = (direction & 1) != 0 ? n_ - 1 - i : i;
-      for (int j = 0; j < n_; ++j) {
-        const int y = (direction & 2) != 0 ? n_ - 1 - j : j;
-        for (int k = 0; k < n_; ++k) {
-          const int z = (direction & 4) != 0 ? n_ - 1 - k : k;
-          settled = update(x, y, z) && settled;
-        }
+  bool safe(std::size_t s) const { return model_.safe.flags()[s] != 0; }
+  std::size_t next(std::size_t s, std::size_t action) const {
+    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(s) + stride_[action]);
+  }
+
+  /// Safe cells with a neighbour outside that can reach the goal, the most likely first.
+  std::vector<std::int32_t> border() const {
+    std::vector<std::uint8_t> seen(logs_.size(), 0);
+    std::vector<std::int32_t> cells;
+    for (std::size_t s = 0; s < logs_.size(); ++s) {
+      if (safe(s)) continue;
+      for (std::size_t a = 0; a < kActionCount; ++a) {
+        if ((moves_[s] >> a & 1) == 0) continue;
+        const std::size_t other = next(s, a);
+        if (!safe(other) || seen[other] != 0) continue;
+        seen[other] = 1;
+        cells.push_back(static_cast<std::int32_t>(other));
       }
+    }
+    std::sort(cells.begin(), cells.end(), [this](std::int32_t a, std::int32_t b) {
+      const double left = logs_[static_cast<std::size_t>(a)];
+      const double right = logs_[static_cast<std::size_t>(b)];
+      return left != right ? left > right : a < b;
+    });
+    return cells;
+  }
+
+  /// Gives each outside cell the log of its best single path, in falling order: as all steps outside cost the same, the
+  /// sorted border and the queue of cells reached so far need only be merged.
+  void spread() {
+    for (std::size_t s = 0; s < logs_.size(); ++s) logs_[s] = safe(s) ? logs_[s] : kUnknown;
+    const std::vector<std::int32_t> seeds = border();
+    std::size_t seed = 0;
+    std::size_t reached = 0;
+    while (seed < seeds.size() || reached < order_.size()) {
+      const double by_seed = seed < seeds.size() ? logs_[static_cast<std::size_t>(seeds[seed])] : kUnknown;
+      const double by_queue = reached < order_.size() ? logs_[static_cast<std::size_t>(order_[reached])] : kUnknown;
+      const std::int32_t cell = by_seed >= by_queue ? seeds[seed++] : order_[reached++];
+      extend_from(cell);
+    }
+  }
+
+  void extend_from(std::int32_t cell) {
+    const auto s = static_cast<std::size_t>(cell);
+    for (std::size_t a = 0; a < kActionCount; ++a) {
+      // From a safe cell only safe cells are allowed, but here it is the neighbour who steps in.
+      const auto neighbour = safe(s) ? model_.grid.neighbour({cell}, static_cast<spatial::Action>(a))
+                             : (moves_[s] >> a & 1) != 0
+                                 ? std::optional(spatial::CellIndex{static_cast<std::int32_t>(next(s, a))})
+                                 : std::nullopt;
+      if (!neighbour) continue;
+      const auto other = static_cast<std::size_t>(neighbour->value);
+      if (safe(other) || logs_[other] != kUnknown) continue;
+      logs_[other] = logs_[s] + model_.options.theta_prior;
+      order_.push_back(neighbour->value);
+    }
+  }
+
+  void choose_scales() {
+    scales_.resize(logs_.size());
+    partition_.resize(logs_.size());
+    for (std::size_t s = 0; s < logs_.size(); ++s) {
+      scales_[s] = static_cast<std::int32_t>(std::floor(logs_[s] / kLn2 + 0.5));
+      partition_[s] = portable_exp(logs_[s] - kLn2 * scales_[s]);
+    }
+  }
+
+  bool sweep() {
+    bool settled = true;
+    for (const std::int32_t cell : order_) {
+      const auto s = static_cast<std::size_t>(cell);
+      double sum = 0.0;
+      for (std::size_t a = 0; a < kActionCount; ++a) {
+        if ((moves_[s] >> a & 1) == 0) continue;
+        const std::size_t other = next(s, a);
+        sum += partition_[other] * power_of_two(scales_[other] - scales_[s]);
+      }
+      const double updated = weight_ * sum;
+      settled = settled && std::abs(updated - partition_[s]) <= kTolerance * updated;
+      partition_[s] = updated;
     }
     return settled;
   }
 
-  bool update(int x, int y, int z) {
-    const auto s = static_cast<std::size_t>((x * n_ + y) * n_ + z);
-    if (model_.safe.flags()[s] != 0) return true;
-    const auto n = static_cast<std::size_t>(n_);
-    WideNumber sum;
-    if (x + 1 < n_) add(sum, values_[s + n * n]);
-    if (x > 0) add(sum, values_[s - n * n]);
-    if (y + 1 < n_) add(sum, values_[s + n]);
-    if (y > 0) add(sum, values_[s - n]);
-    if (z + 1 < n_) add(sum, values_[s + 1]);
-    if (z > 0) add(sum, values_[s - 1]);
-    sum.mantissa *= weight(s);
-    normalise(sum);
-    const WideNumber old = values_[s];
-    values_[s] = sum;
-    return sum.mantissa != 0.0 && old.block == sum.block &&
-           std::abs(sum.mantissa - old.mantissa) <= kTolerance * sum.mantissa;
-  }
-
-  /// e^θ; θ outside of the safe set is mostly the prior, so the last value is worth keeping.
-  double weight(std::size_t s) {
-    if (model_.theta[s] != last_theta_) {
-      last_theta_ = model_.theta[s];
-      last_weight_ = portable_exp(last_theta_);
-    }
-    return last_weight_;
-  }
-
   const Model& model_;
-  int n_;
-  std::vector<WideNumber> values_;
-  double last_theta_ = std::numeric_limits<double>::quiet_NaN();
-  double last_weight_ = 0.0;
+  std::vector<double>& logs_;
+  std::vector<std::uint8_t> moves_;
+  std::array<std::int32_t, kActionCount> stride_;
+  double weight_;  ///< e^θ₀.
+  std::vector<std::int32_t> order_;
+  std::vector<std::int32_t> scales_;
+  std::vector<double> partition_;  ///< Z = partition · 2^scale.
 };
 
 }  // namespace
 
 void complete_partition(const Model& model, std::vector<double>& log_partition) {
-  OutsideSolver solver(model, log_partition);
-  solver.solve();
-  solver.write(log_partition);
+  OutsideSolver(model, log_partition).run();
 }
 
 }  // namespace trocar::learning

@@ -1,0 +1,99 @@
+#include "engine/learning/field.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "engine/learning/rollout.h"
+#include "tests/support/lattice_demonstrations.h"
+
+using namespace trocar;
+using namespace trocar::learning;
+
+namespace {
+
+Model trained(Method method) {
+  TrainOptions options;
+  options.method = method;
+  options.episodes = 1000;
+  Progress progress;
+  return train(spatial::Grid{}, {testing::sample_demonstrations()[0]}, options, progress).value();
+}
+
+}  // namespace
+
+TEST_CASE("every layer of every method has one value for each cell, a title, and names where it is categorical") {
+  for (const Method method : {Method::kEgMaxent, Method::kEgMaxentPlus, Method::kExact}) {
+    const Model model = trained(method);
+    for (const Layer layer : all_layers()) {
+      const Field shown = field(model, layer);
+      CAPTURE(to_string(layer));
+      REQUIRE(shown.values.size() == 10648);
+      CHECK_FALSE(shown.title.empty());
+      CHECK(std::isfinite(shown.low()));
+      CHECK(shown.low() <= shown.high());
+      CHECK(shown.categorical == !shown.categories.empty());
+      if (shown.categorical) CHECK(shown.high() < static_cast<double>(shown.categories.size()));
+      for (const double value : shown.values) REQUIRE_FALSE(std::isinf(value));
+    }
+  }
+}
+
+TEST_CASE("what the paper's method never visited is unknown in the layers it learns") {
+  const Model model = trained(Method::kEgMaxent);
+  for (const Layer layer : {Layer::kValue, Layer::kQPlusX, Layer::kMargin, Layer::kPolicy}) {
+    const Field shown = field(model, layer);
+    for (std::size_t s = 0; s < shown.values.size(); ++s) {
+      if (model.visits[s] == 0) REQUIRE(std::isnan(shown.values[s]));
+    }
+  }
+}
+
+TEST_CASE("an action that was not tried has no Q to show") {
+  const Model model = trained(Method::kEgMaxent);
+  const Field down = field(model, Layer::kQMinusZ);
+  for (std::size_t s = 0; s < down.values.size(); ++s) {
+    REQUIRE(std::isnan(down.values[s]) == ((model.tried[s] >> 5 & 1) == 0));
+  }
+}
+
+TEST_CASE("layers agree with the functions they show") {
+  const Model model = trained(Method::kExact);
+  const Basin all = basin(model, greedy_policy(model));
+  const Exploration counts = exploration(model);
+  const Field outcome = field(model, Layer::kBasin);
+  const Field steps = field(model, Layer::kSteps);
+  const Field explored = field(model, Layer::kExplored);
+  int fully = 0;
+  for (std::size_t s = 0; s < all.end.size(); ++s) {
+    REQUIRE(outcome.values[s] == static_cast<double>(all.end[s]));
+    REQUIRE(steps.values[s] == all.steps[s]);
+    fully += explored.values[s] == 2.0 ? 1 : 0;
+  }
+  CHECK(fully == counts.fully_explored);
+  CHECK(field(model, Layer::kVisits).values[static_cast<std::size_t>(model.goal.value)] == 1.0);
+}
+
+TEST_CASE("the margin is the best known Q less the second") {
+  const Model model = trained(Method::kExact);
+  const Field margin = field(model, Layer::kMargin);
+  const auto s = static_cast<std::size_t>(model.start.value);
+  std::vector<double> q(model.q.begin() + static_cast<std::ptrdiff_t>(6 * s),
+                        model.q.begin() + static_cast<std::ptrdiff_t>(6 * s + 6));
+  std::sort(q.rbegin(), q.rend());
+  CHECK(margin.values[s] == q[0] - q[1]);
+}
+
+TEST_CASE("layers have their names in both directions, and an unknown name lists them") {
+  CHECK(all_layers().size() == 16);
+  for (const Layer layer : all_layers()) CHECK(layer_from(to_string(layer)).value() == layer);
+  CHECK(layer_from("q-z").value() == Layer::kQMinusZ);
+  CHECK(layer_from("height").error().text().find("margin") != std::string::npos);
+}
+
+TEST_CASE("a field that knows nothing ranges from 0 to 1") {
+  Field nothing;
+  nothing.values.assign(8, std::nan(""));
+  CHECK(nothing.low() == 0.0);
+  CHECK(nothing.high() == 1.0);
+}
