@@ -28,10 +28,10 @@ void write_bits(dBodyID body, const BodyBits& bits) {
 
 bool plausible(const BodyBits& bits) {
   const auto small = [](double limit) { return [limit](double x) { return std::abs(x) <= limit; }; };  // NaN is not
-  constexpr double kFar = 1000.0 * kOdeLength;
+  constexpr double kFar = 100.0 * kOdeLength;
   if (!std::all_of(bits.position.begin(), bits.position.end(), small(kFar))) return false;
   if (!std::all_of(bits.linear_velocity.begin(), bits.linear_velocity.end(), small(kFar))) return false;
-  if (!std::all_of(bits.angular_velocity.begin(), bits.angular_velocity.end(), small(1e6))) return false;
+  if (!std::all_of(bits.angular_velocity.begin(), bits.angular_velocity.end(), small(1000.0))) return false;
   const Eigen::Quaterniond q(bits.quaternion[0], bits.quaternion[1], bits.quaternion[2], bits.quaternion[3]);
   if (!(std::abs(q.norm() - 1.0) <= 1e-9)) return false;
   const Eigen::Matrix3d R = q.toRotationMatrix();

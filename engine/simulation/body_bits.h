@@ -18,7 +18,7 @@ struct BodyBits {
 
 BodyBits read_bits(dBodyID body);
 void write_bits(dBodyID body, const BodyBits& bits);
-/// Finite, a rotation in both forms, and within a kilometre: what ODE can be given without harm.
+/// Finite, a rotation in both forms, within 100 m, 100 m/s and 1000 rad/s: what ODE can be given without harm.
 bool plausible(const BodyBits& bits);
 
 }  // namespace trocar::simulation

@@ -8,6 +8,9 @@
 
 namespace trocar::simulation {
 
+/// The middle of a jaw that sits on its hinge is nearer to the tool tip than this, however far it is opened.
+constexpr double kJawFromTip_m = 0.017;
+
 struct Jaw {
   OdeBody body;
   OdeJoint hinge;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/core/check.h"
@@ -26,7 +27,15 @@ constexpr double kRestTime_s = 0.1;
 constexpr double kWakeDistance_m = 0.025;
 /// Nothing on the board moves this fast; what does was squeezed where there is no room.
 constexpr double kHighestSpeed_mps = 5.0;
-constexpr double kHighestTurn_rad_s = 1000.0;
+/// Jaws follow commands that jump, but only so fast.
+constexpr double kFastestJaw_mps = 90.0;
+
+/// False for numbers that are not finite, too.
+bool moves_within(dBodyID body, double speed_mps) {
+  constexpr double kHighestTurn_rad_s = 1000.0;
+  return from_ode(dBodyGetLinearVel(body)).norm() <= speed_mps &&
+         kOdeLength * from_ode(dBodyGetAngularVel(body)).norm() <= kHighestTurn_rad_s;
+}
 
 ArmPosture posture_of(const kinematics::PsmModel& model, const spatial::Pose& X_WT, const Joints& joints) {
   return {X_WT, kinematics::skeleton(model, joints)};
@@ -129,17 +138,24 @@ void World::Impl::rest() {
   }
 }
 
-/// Slows down what the solver threw out of a squeeze, and counts it.
+/// Stops what the solver threw out of a squeeze, puts jaws that were torn off their hinge back, and counts both.
 void World::Impl::hold_back() {
-  const auto limit = [this](dBodyID body) {
-    const Eigen::Vector3d v = from_ode(dBodyGetLinearVel(body));
-    const Eigen::Vector3d w = kOdeLength * from_ode(dBodyGetAngularVel(body));
-    if (v.norm() <= kHighestSpeed_mps && w.norm() <= kHighestTurn_rad_s) return;
+  for (const Block& block : physics.blocks) {
+    if (moves_within(block.body.get(), kHighestSpeed_mps)) continue;
     ++state.strained;
-    dBodySetLinearVel(body, 0.0, 0.0, 0.0);
-    dBodySetAngularVel(body, 0.0, 0.0, 0.0);
-  };
-  for (const Block& block : physics.blocks) limit(block.body.get());
+    dBodySetLinearVel(block.body.get(), 0.0, 0.0, 0.0);
+    dBodySetAngularVel(block.body.get(), 0.0, 0.0, 0.0);
+  }
+  for (std::size_t arm = 0; arm < physics.grippers.size(); ++arm) {
+    const Gripper& gripper = physics.grippers[arm];
+    const bool sound = std::all_of(gripper.jaws.begin(), gripper.jaws.end(), [&](const Jaw& jaw) {
+      const Eigen::Vector3d from_tip = from_ode(dBodyGetPosition(jaw.body.get())) - postures[arm].X_WT.p;
+      return moves_within(jaw.body.get(), kFastestJaw_mps) && from_tip.norm() < kJawFromTip_m;
+    });
+    if (sound) continue;
+    ++state.strained;
+    place(gripper, postures[arm], 0.0);
+  }
 }
 
 /// Lets an arm that stands still and touches nothing out of the step; sets all others in motion.

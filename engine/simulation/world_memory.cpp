@@ -6,6 +6,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "engine/simulation/gripper.h"
+
 namespace trocar::simulation {
 namespace {
 
@@ -134,7 +136,9 @@ Status check(const WorldMemory& memory) {
     if (!(arm.setpoint.jaw_rad >= model.jaw.low && arm.setpoint.jaw_rad <= model.jaw.high)) return damaged;
     if (!kinematics::check_limits(model, arm.joints)) return damaged;
     if (!kinematics::check_limits(model, arm.setpoint_joints)) return damaged;
-    if (!plausible(arm.jaws[0]) || !plausible(arm.jaws[1])) return damaged;
+    for (const BodyBits& jaw : arm.jaws) {
+      if (!plausible(jaw) || (from_ode(jaw.position.data()) - arm.X_WT.p).norm() > kJawFromTip_m) return damaged;
+    }
   }
   for (const BlockMemory& block : memory.blocks) {
     if (!plausible(block.body) || block.rest_ticks < 0) return damaged;
