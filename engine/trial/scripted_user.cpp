@@ -9,6 +9,8 @@ namespace {
 
 using kinematics::ArmSide;
 
+constexpr double kOverTip_m =
+    0.048;  ///< z of the tip before it comes down on the block: an expert goes over, then down.
 constexpr double kAboveTip_m = 0.028;   ///< z of the tip at the end of A.
 constexpr double kLiftedTip_m = 0.045;  ///< z of the tip at the end of B.
 constexpr double kHoverOverTop_m = 0.0025;
@@ -74,7 +76,10 @@ void ScriptedUser::think_of_grasp(const Glimpse& seen) {
     case Step::kIdle:
       if (!waited(pause_s_)) return;
       choose_grasp(seen);
-      return go(Step::kAbove);
+      return go(Step::kOver);
+    case Step::kOver:
+      if (reach(seen, {{at_height(grasp_.p, kOverTip_m), grasp_.q}, 3.0 * tolerance_m, 0.12, 1.0})) go(Step::kAbove);
+      return;
     case Step::kAbove:
       if (!reach(seen, {{at_height(grasp_.p, kAboveTip_m), grasp_.q}, 4.0 * tolerance_m, 0.12, 1.0})) return;
       grip(draw_opening(), kGripTime_s);

@@ -14,7 +14,8 @@ class ScriptedUser final : public ScriptedOperator {
  private:
   enum class Step {
     kIdle,     ///< Looks at the scene.
-    kAbove,    ///< To above the wall (A).
+    kOver,     ///< High over the wall (A).
+    kAbove,    ///< Straight down to above it (A).
     kAlign,    ///< Exactly over it, jaws open.
     kHover,    ///< Down to just over the block's top.
     kDescend,  ///< Over the wall.
