@@ -1,0 +1,78 @@
+#include <benchmark/benchmark.h>
+
+#include <ctime>
+
+#include "engine/core/check.h"
+#include "engine/render/renderer.h"
+#include "engine/stage/stage.h"
+
+namespace {
+
+using namespace trocar;
+
+/// Both arms at the start of a trial, moved up and down a little from frame to frame; blocks on their pegs.
+stage::Pose3d pose_at(int frame) {
+  stage::Pose3d pose;
+  for (const kinematics::ArmSide side : kinematics::kArmSides) {
+    spatial::Pose X_WT = kinematics::ready_pose(side);
+    X_WT.p.z() -= 0.0002 * (frame % 50);
+    const auto joints = kinematics::inverse(kinematics::psm_model(side), X_WT);
+    TROCAR_CHECK(joints.has_value());
+    pose.joints[kinematics::index_of(side)] = *joints;
+    pose.jaw_rad[kinematics::index_of(side)] = 0.35;
+  }
+  for (int i = 0; i < peg_board::kBlockCount; ++i) {
+    pose.blocks[static_cast<std::size_t>(i)].p =
+        peg_board::start_peg(i) + Eigen::Vector3d(0.0, 0.0, peg_board::kBlockRest_m);
+  }
+  return pose;
+}
+
+double processor_s() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// One iteration is a frame of the real scene: staged, drawn with its shadows and read back. The time is the wall's;
+/// the counter is what all threads together spent.
+void frames(benchmark::State& state, const render::RenderOptions& options) {
+  const auto stage = stage::Stage::load();
+  TROCAR_CHECK(stage.has_value());
+  auto renderer = render::Renderer::create();
+  TROCAR_CHECK(renderer.has_value());
+  renderer->warm_up();
+  const scene::Camera camera = scene::camera(scene::CameraPreset::kPaper);
+  int frame = 0;
+  TROCAR_CHECK(renderer->draw((*stage)->scene(pose_at(frame), {}, {}, {}), camera, options).has_value());
+  std::size_t triangles = 0;
+  const double begin_s = processor_s();
+  for (auto _ : state) {
+    const scene::Scene scene = (*stage)->scene(pose_at(++frame), {}, {}, {});
+    benchmark::DoNotOptimize(renderer->draw(scene, camera, options));
+    triangles = 0;
+    for (const scene::Node& node : scene.nodes) triangles += node.mesh->indices.size() / 3;
+  }
+  const double spent_s = processor_s() - begin_s;
+  state.counters["cpu_ms"] = 1e3 * spent_s / static_cast<double>(state.iterations());
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+
+void render_640x480(benchmark::State& state) {
+  frames(state, {640, 480, 1, true, false});
+}
+void render_960x540(benchmark::State& state) {
+  frames(state, {960, 540, 1, true, false});
+}
+void render_960x540_soft(benchmark::State& state) {
+  frames(state, {960, 540, 1, true, true});
+}
+void render_1280x720_msaa4(benchmark::State& state) {
+  frames(state, {1280, 720, 4, true, true});
+}
+BENCHMARK(render_640x480)->Name("render_640x480")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(render_960x540)->Name("render_960x540")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(render_960x540_soft)->Name("render_960x540_soft")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(render_1280x720_msaa4)->Name("render_1280x720_msaa4")->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
