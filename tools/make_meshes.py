@@ -191,7 +191,7 @@ def block():
 
 def shaft():
     """Origin at the wrist-pitch joint, whose axis is y; z out along the tool. The tube ends 34 mm up, where the stage lets it fade."""
-    solid = revolve([(0.0, -34.0), (4.2, -34.0), (4.2, -12.4), (3.95, -12.2), (3.95, -11.4), (4.2, -11.2),
+    solid = revolve([(4.2, -34.0), (4.2, -12.4), (3.95, -12.2), (3.95, -11.4), (4.2, -11.2),
                      (4.2, -7.0), (3.7, -5.4), (0.0, -5.4)], 32)
     # Revolving leaves the outside facing out whichever way z runs; the ears hold the wrist between them.
     ear = bevelled(stadium(0.0, 2.7, 6.6), -0.65, 0.65, 0.18)
