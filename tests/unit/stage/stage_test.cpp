@@ -323,28 +323,3 @@ TEST_CASE("two labels at one place are both legible: one gives way") {
   const int single = ink(stage::with_labels(picture, one, camera));
   CHECK(ink(stage::with_labels(picture, two, camera)) > 1.9 * single);
 }
-
-TEST_CASE("a demonstration's path is its gated samples, coloured by segment and grey where there is none") {
-  auto recording = std::make_shared<demonstration::Recording>();
-  for (int i = 0; i < 100; ++i) {
-    demonstration::Sample sample;
-    sample.tick = i * demonstration::kTicksPerSample;
-    sample.segment = i < 50 ? demonstration::Segment::kA : demonstration::Segment::kB;
-    for (demonstration::ArmSample& arm : sample.arms) {
-      arm.measured = demonstration::CompactPose::from(spatial::Pose::translation({0.0, 0.0, 0.02 + 1e-4 * i}));
-    }
-    recording->samples.push_back(sample);
-  }
-  auto made = demonstration::make_demonstration(demonstration::DemonstrationId{}, "d", recording);
-  REQUIRE(made);
-  made->segments = {{demonstration::Segment::kA, 0.0, 0.25}};
-  made->begin_s = 0.1;
-  const stage::PathLayer path = stage::path_of(*made, kinematics::ArmSide::kLeft);
-  REQUIRE(path.points.size() == made->gated().size());
-  REQUIRE(path.colours.size() == path.points.size());
-  CHECK(path.points.front().z() == doctest::Approx(0.02 + 1e-4 * 20).epsilon(1e-6));
-  CHECK(path.colours.front() == stage::segment_colour(demonstration::Segment::kA));
-  for (int s = 0; s < demonstration::kSegmentCount; ++s) {
-    CHECK_FALSE(path.colours.back() == stage::segment_colour(static_cast<demonstration::Segment>(s)));
-  }
-}
