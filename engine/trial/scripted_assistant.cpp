@@ -19,6 +19,8 @@ constexpr double kOverPeg_m = 0.004;
 /// The block is let go this far above its rest.
 constexpr double kRelease_m = 0.0006;
 constexpr double kAwayUp_m = 0.022;
+/// At the hand-off there is no peg in the hole, so the jaws may straddle the wall with more room.
+constexpr double kWider_rad = 0.08;
 constexpr double kGripTime_s = 0.35;
 constexpr double kFeel_s = 0.25;
 constexpr double kGiveUp_s = 1.0;
@@ -72,7 +74,7 @@ void ScriptedAssistant::think_of_taking(const Glimpse& seen) {
       if (!presented) begin_step();
       if (!waited(skill().reaction_s + pause_s_)) return;
       judge_anew();
-      grip(draw_opening(), kGripTime_s);
+      grip(draw_opening() + kWider_rad, kGripTime_s);
       return go(Step::kAbove);
     }
     case Step::kAbove:
@@ -89,7 +91,7 @@ void ScriptedAssistant::think_of_taking(const Glimpse& seen) {
       if (hand_busy() || !waited(kGripTime_s + (holds ? kFeel_s : kGiveUp_s))) return;
       if (!holds) {
         judge_anew();
-        grip(draw_opening(), kGripTime_s);
+        grip(draw_opening() + kWider_rad, kGripTime_s);
         return go(Step::kAbove);
       }
       const bool user_gone = !seen.block.touched_by(ArmSide::kLeft) &&

@@ -8,6 +8,9 @@ namespace {
 
 constexpr double kScale = 0.2;  // What the operator learned the controls with: `ArmDrive`'s default.
 
+// Nobody misjudges by more: the jaw would be seen to stand over the peg, past the wall's end or on the board.
+const Eigen::Vector3d kSeen_m{0.0030, 0.0013, 0.0060};
+
 }  // namespace
 
 ScriptedOperator::ScriptedOperator(kinematics::ArmSide side, const Assignment& assignment, const Random& random)
@@ -67,7 +70,8 @@ void ScriptedOperator::judge_anew() {
   const double x = random_.normal();
   const double y = random_.normal();
   const double z = random_.normal();
-  misjudged_T_ = {skill().judgement_m * x, skill().judgement_m * y, skill().depth_judgement_m * z};
+  const Eigen::Vector3d error{skill().judgement_m * x, skill().judgement_m * y, skill().depth_judgement_m * z};
+  misjudged_T_ = error.cwiseMax(-kSeen_m).cwiseMin(kSeen_m);
 }
 
 spatial::Pose shifted(const spatial::Pose& pose, const Eigen::Vector3d& way_W) {

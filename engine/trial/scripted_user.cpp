@@ -1,5 +1,7 @@
 #include "engine/trial/scripted_user.h"
 
+#include <cmath>
+
 #include "engine/peg_board/peg_board.h"
 #include "engine/simulation/grasp.h"
 #include "engine/spatial/grid.h"
@@ -9,9 +11,10 @@ namespace {
 
 using kinematics::ArmSide;
 
-constexpr double kOverTip_m =
-    0.048;  ///< z of the tip before it comes down on the block: an expert goes over, then down.
+/// z of the tip before it comes down on the block: people go over it, then down.
+constexpr double kOverTip_m = 0.048;
 constexpr double kAboveTip_m = 0.028;   ///< z of the tip at the end of A.
+constexpr double kFreeTip_m = 0.022;    ///< From here up the tip is free to move sideways.
 constexpr double kLiftedTip_m = 0.045;  ///< z of the tip at the end of B.
 constexpr double kHoverOverTop_m = 0.0025;
 constexpr double kRetreatUp_m = 0.012;
@@ -19,6 +22,10 @@ constexpr double kFirstLook_s = 0.6;
 constexpr double kGripTime_s = 0.35;
 constexpr double kFeel_s = 0.25;
 constexpr double kGiveUp_s = 0.8;
+constexpr double kRelaxTime_s = 1.5;
+/// A block that moved or turned by more on the way down was pushed by a jaw.
+constexpr double kPushed_m = 0.0020;
+constexpr double kPushed_rad = 0.25;
 constexpr double kAssistantHolds_s = 0.25;
 /// A grasp nearer to the lattice's faces than this is avoided if there is another.
 constexpr double kLatticeMargin_m = 0.0004;
@@ -59,17 +66,38 @@ void ScriptedUser::choose_grasp(const Glimpse& seen) {
     wall = walls[1];
   }
   grasp_ = judged(simulation::grasp_pose(X_WK, wall));
+  block_before_ = X_WK;
+}
+
+void ScriptedUser::try_again(const Glimpse& seen) {
+  grip(draw_opening(), kGripTime_s);
+  choose_grasp(seen);
+  go(Step::kAbove);
+}
+
+bool ScriptedUser::pushed(const Glimpse& seen) const {
+  return (seen.block.X_WK.p - block_before_.p).norm() > kPushed_m ||
+         spatial::angle_between(seen.block.X_WK.q, block_before_.q) > kPushed_rad;
 }
 
 void ScriptedUser::think(const Glimpse& seen) {
-  if (step_ < Step::kCarry) {
-    think_of_grasp(seen);
+  if (step_ < Step::kClose) {
+    think_of_approach(seen);
+  } else if (step_ < Step::kCarry) {
+    think_of_lift(seen);
   } else {
     think_of_transfer(seen);
   }
 }
 
-void ScriptedUser::think_of_grasp(const Glimpse& seen) {
+Aim ScriptedUser::above(const Glimpse& seen) const {
+  // From a failed grasp the jaws first come straight up: sideways they would sweep the block away.
+  const Eigen::Vector3d& p_WT = seen.tool(side()).p;
+  const Eigen::Vector3d& over = p_WT.z() < kFreeTip_m ? p_WT : grasp_.p;
+  return {{at_height(over, kAboveTip_m), grasp_.q}, 4.0 * skill().tolerance_m, 0.12, 1.0};
+}
+
+void ScriptedUser::think_of_approach(const Glimpse& seen) {
   const double tolerance_m = skill().tolerance_m;
   const double top_m = seen.block.X_WK.p.z() + 0.5 * peg_board::kBlockHeight_m;
   switch (step_) {
@@ -81,7 +109,7 @@ void ScriptedUser::think_of_grasp(const Glimpse& seen) {
       if (reach(seen, {{at_height(grasp_.p, kOverTip_m), grasp_.q}, 3.0 * tolerance_m, 0.12, 1.0})) go(Step::kAbove);
       return;
     case Step::kAbove:
-      if (!reach(seen, {{at_height(grasp_.p, kAboveTip_m), grasp_.q}, 4.0 * tolerance_m, 0.12, 1.0})) return;
+      if (!reach(seen, above(seen))) return;
       grip(draw_opening(), kGripTime_s);
       return go(Step::kAlign);
     case Step::kAlign:
@@ -94,23 +122,30 @@ void ScriptedUser::think_of_grasp(const Glimpse& seen) {
       }
       return;
     case Step::kDescend:
+      if (pushed(seen) && !hand_busy()) return try_again(seen);
       if (!reach(seen, {grasp_, 1.5 * tolerance_m, 0.10, 1.5}) || !waited(pause_s_)) return;
-      grip(draw_grip(), kGripTime_s);
+      grip_rad_ = draw_grip();
+      grip(grip_rad_, kGripTime_s);
       return go(Step::kClose);
+    default:
+      return;
+  }
+}
+
+void ScriptedUser::think_of_lift(const Glimpse& seen) {
+  switch (step_) {
     case Step::kClose: {
       const bool feels = seen.block.held_by(ArmSide::kLeft);
       if (hand_busy() || !waited(kGripTime_s + (feels ? kFeel_s : kGiveUp_s))) return;
-      lifted_from_ = seen.block.X_WK.p;
       return go(Step::kLift);
     }
     case Step::kLift: {
-      if (!reach(seen, {{at_height(grasp_.p, kLiftedTip_m), grasp_.q}, 5.0 * tolerance_m, 0.15, 1.3})) return;
-      const bool lifted = seen.block.X_WK.p.z() > lifted_from_.z() + 0.5 * (kLiftedTip_m - grasp_.p.z());
-      if (lifted) return go(Step::kCarry);
-      // Missed: up again with open jaws, another look, another try.
-      grip(draw_opening(), kGripTime_s);
-      choose_grasp(seen);
-      return go(Step::kAbove);
+      if (!reach(seen, {{at_height(grasp_.p, kLiftedTip_m), grasp_.q}, 5.0 * skill().tolerance_m, 0.15, 1.3})) return;
+      const bool lifted = seen.block.X_WK.p.z() > block_before_.p.z() + 0.5 * (kLiftedTip_m - grasp_.p.z());
+      if (!lifted) return try_again(seen);
+      grip(grip_rad_ + skill().relaxing_rad * std::abs(random().normal()), kRelaxTime_s);
+      hasty_ = random().uniform() < skill().haste;
+      return go(Step::kCarry);
     }
     default:
       return;
@@ -125,8 +160,12 @@ void ScriptedUser::think_of_transfer(const Glimpse& seen) {
       if (waited(pause_s_) && reach(seen, {hand_off, 6.0 * tolerance_m, 0.15, 1.2})) go(Step::kPresent);
       return;
     case Step::kPresent:
-      if (!seen.block.held_by(ArmSide::kRight)) begin_step();
-      if (!waited(kAssistantHolds_s + pause_s_ + skill().reaction_s)) return;
+      if (hasty_) {
+        if (!seen.block.touched_by(ArmSide::kRight)) return;
+      } else {
+        if (!seen.block.held_by(ArmSide::kRight)) begin_step();
+        if (!waited(kAssistantHolds_s + pause_s_ + skill().reaction_s)) return;
+      }
       grip(draw_opening(), kGripTime_s);
       return go(Step::kOpen);
     case Step::kOpen:

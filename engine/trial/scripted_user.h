@@ -31,15 +31,22 @@ class ScriptedUser final : public ScriptedOperator {
 
   void think(const Glimpse& seen) override;
   void go(Step step);
-  void think_of_grasp(const Glimpse& seen);
+  void think_of_approach(const Glimpse& seen);
+  void think_of_lift(const Glimpse& seen);
   void think_of_transfer(const Glimpse& seen);
+  Aim above(const Glimpse& seen) const;
   void choose_grasp(const Glimpse& seen);
+  /// Opens the jaws and goes for the block anew.
+  void try_again(const Glimpse& seen);
+  /// The block as it was seen when the grasp was chosen has been pushed.
+  bool pushed(const Glimpse& seen) const;
 
   Step step_ = Step::kIdle;
   double pause_s_ = 0.0;
-  spatial::Pose grasp_;  ///< As judged.
-  Eigen::Vector3d lifted_from_{0.0, 0.0, 0.0};
-  bool gripping_ = false;
+  spatial::Pose grasp_;         ///< As judged.
+  spatial::Pose block_before_;  ///< When the grasp was chosen.
+  double grip_rad_ = 0.0;
+  bool hasty_ = false;  ///< Will let go too early.
 };
 
 }  // namespace trocar::trial

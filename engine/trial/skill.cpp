@@ -14,19 +14,21 @@ SkillParameters trained() {
   SkillParameters p;
   p.reaction_s = 0.18;
   p.visual_delay_s = 0.12;
-  p.hesitation_s = 0.35;
+  p.hesitation_s = 0.45;
   p.fitts_a_s = 0.22;
   p.fitts_b_s = 0.22;
   p.aim_noise = 0.035;
   p.depth_weakness = 2.0;
   p.turn_noise_rad = 0.03;
-  p.judgement_m = 0.30e-3;
-  p.depth_judgement_m = 0.60e-3;
+  p.judgement_m = 0.45e-3;
+  p.depth_judgement_m = 1.00e-3;
   p.tolerance_m = 0.50e-3;
   p.tremor_m = 0.14e-3;
   p.open_noise_rad = 0.02;
   p.grip_rad = -0.12;
   p.grip_noise_rad = 0.05;
+  p.relaxing_rad = 0.06;
+  p.haste = 0.03;
   return p;
 }
 
@@ -34,19 +36,21 @@ SkillParameters novice() {
   SkillParameters p;
   p.reaction_s = 0.25;
   p.visual_delay_s = 0.15;
-  p.hesitation_s = 0.70;
+  p.hesitation_s = 1.00;
   p.fitts_a_s = 0.28;
-  p.fitts_b_s = 0.30;
-  p.aim_noise = 0.06;
+  p.fitts_b_s = 0.38;
+  p.aim_noise = 0.08;
   p.depth_weakness = 2.5;
   p.turn_noise_rad = 0.05;
-  p.judgement_m = 0.70e-3;
-  p.depth_judgement_m = 1.60e-3;
-  p.tolerance_m = 0.90e-3;
+  p.judgement_m = 1.20e-3;
+  p.depth_judgement_m = 2.60e-3;
+  p.tolerance_m = 1.00e-3;
   p.tremor_m = 0.25e-3;
   p.open_noise_rad = 0.04;
-  p.grip_rad = 0.0;
-  p.grip_noise_rad = 0.05;
+  p.grip_rad = 0.01;
+  p.grip_noise_rad = 0.03;
+  p.relaxing_rad = 0.06;
+  p.haste = 0.15;
   return p;
 }
 

@@ -24,6 +24,8 @@ struct SkillParameters {
   double open_noise_rad = 0.01;        ///< σ of the opening.
   double grip_rad = -0.20;             ///< Jaw command that grips; below contact, the more the firmer.
   double grip_noise_rad = 0.03;        ///< σ of the grip command.
+  double relaxing_rad = 0.01;          ///< σ of how far the grip slackens while the mind is on the way.
+  double haste = 0.0;                  ///< Chance to let go as soon as the other gripper touches the block.
 };
 
 SkillParameters parameters(Skill skill);
