@@ -1,0 +1,116 @@
+/// A hand-filled workbench state for tests of the window: two demonstrations, a model, jobs, a log, a history.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "engine/learning/model.h"
+#include "engine/learning/rollout.h"
+#include "engine/workbench/workbench.h"
+#include "tests/support/lattice_demonstrations.h"
+
+namespace trocar::testing {
+
+/// Five segments of one second each, with a second of rest at either end.
+inline std::shared_ptr<const demonstration::Recording> made_recording(std::uint64_t seed) {
+  auto recording = std::make_shared<demonstration::Recording>();
+  recording->provenance.operator_kind = "scripted";
+  recording->provenance.skill = seed % 2 == 1 ? "expert" : "novice";
+  recording->provenance.seed = seed;
+  recording->provenance.created = "2026-03-01T12:03:41Z";
+  recording->outcome = seed % 2 == 1 ? demonstration::Outcome::kSuccess : demonstration::Outcome::kDropped;
+  recording->placed = seed % 2 == 1;
+  for (std::int64_t i = 0; i <= 1400; ++i) {
+    demonstration::Sample sample;
+    sample.tick = i * demonstration::kTicksPerSample;
+    const double t_s = sample.t_s();
+    const double moving_s = std::min(std::max(t_s - 1.0, 0.0), 5.0);
+    const auto segment = std::min(static_cast<int>(moving_s), 4);
+    sample.segment = static_cast<demonstration::Segment>(segment);
+    sample.authority = segment % 2 == 0 ? demonstration::Authority::kAgent : demonstration::Authority::kOperator;
+    for (auto& arm : sample.arms) {
+      arm.setpoint_p = {0.01 * moving_s, 0.0, 0.02};
+      arm.measured = demonstration::CompactPose::from(arm.setpoint());
+      arm.jaw_rad = static_cast<float>(segment == 1 || segment == 2 ? 0.1 : 0.6);
+    }
+    if (segment == 1 || segment == 2) sample.flags |= demonstration::kLeftHolds;
+    if (sample.authority == demonstration::Authority::kAgent) sample.flags |= demonstration::kAgentPedal;
+    recording->samples.push_back(sample);
+  }
+  return recording;
+}
+
+inline std::shared_ptr<const workbench::ModelEntry> made_model() {
+  auto entry = std::make_shared<workbench::ModelEntry>();
+  entry->id = {3};
+  entry->name = "exact A";
+  learning::TrainOptions options;
+  options.method = learning::Method::kExact;
+  Progress progress;
+  entry->model = std::make_shared<learning::Model>(
+      learning::train(spatial::Grid{}, {sample_demonstrations().front()}, options, progress).value());
+  entry->demonstrations = {{1}};
+  return entry;
+}
+
+inline workbench::ModelInsight made_insight(std::shared_ptr<const workbench::ModelEntry> entry) {
+  workbench::ModelInsight insight;
+  const learning::Model& model = *entry->model;
+  insight.entry = entry;
+  insight.exploration = learning::exploration(model);
+  insight.field = std::make_shared<learning::Field>(learning::field(model, learning::Layer::kReward));
+  insight.policy = std::make_shared<std::vector<std::uint8_t>>(learning::greedy_policy(model));
+  insight.basin = std::make_shared<learning::Basin>(learning::basin(model, *insight.policy));
+  for (int k = 1; k <= 5; ++k) {
+    const auto starts = learning::starts_around(model, k);
+    insight.around[static_cast<std::size_t>(k - 1)] = learning::summarise(*insight.basin, starts);
+    if (k != 3) continue;
+    for (std::size_t i = 0; i < 40 && i < starts.size(); ++i) {
+      insight.ghosts.push_back(learning::rollout(model, *insight.policy, starts[i * starts.size() / 40]));
+    }
+  }
+  insight.all = insight.around[4];
+  return insight;
+}
+
+/// Ready, with demonstrations 1 ("Expert 1", selected) and 2 ("Novice 2"), and without a model.
+inline workbench::WorkbenchState made_state() {
+  auto project = std::make_shared<workbench::Project>();
+  for (std::int64_t id = 1; id <= 2; ++id) {
+    const std::string name = id == 1 ? "Expert 1" : "Novice 2";
+    auto made = demonstration::make_demonstration({id}, name, made_recording(static_cast<std::uint64_t>(id))).value();
+    project->demonstrations[{id}] = std::make_shared<demonstration::Demonstration>(std::move(made));
+  }
+  workbench::WorkbenchState state;
+  state.load = workbench::LoadState::kReady;
+  state.path = "/data/pegs.trocar";
+  state.project = project;
+  state.demonstration = {1};
+  state.playhead_s = 2.0;
+  state.history = {{1, 0, "add demonstration", "Record Expert 1", "2026-03-01T12:03:41Z"},
+                   {2, 1, "add demonstration", "Record Novice 2", "2026-03-01T12:04:10Z"}};
+  state.head = 2;
+  state.undoable = true;
+  return state;
+}
+
+/// The same with the model 3 selected.
+inline workbench::WorkbenchState made_state_with_model() {
+  workbench::WorkbenchState state = made_state();
+  auto project = std::make_shared<workbench::Project>(*state.project);
+  const auto entry = made_model();
+  project->models[entry->id] = entry;
+  state.project = project;
+  state.model = entry->id;
+  state.insight = std::make_shared<workbench::ModelInsight>(made_insight(entry));
+  state.history.push_back({3, 2, "add model", "Train exact A", "2026-03-01T12:05:00Z"});
+  state.head = 3;
+  state.jobs = {{{2}, "Train eg-maxent on segment A", workbench::JobState::kRunning, 0.42, ""},
+                {{1}, "Verify Expert 1", workbench::JobState::kDone, 1.0, "Every state is the same"}};
+  state.log = {{"12:03:41", workbench::Severity::kInfo, "Opened the project"},
+               {"12:05:02", workbench::Severity::kWarning, "The film was shortened"}};
+  return state;
+}
+
+}  // namespace trocar::testing

@@ -1,0 +1,207 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/ui_state.h"
+#include "ui/command_table.h"
+#include "ui/command_text.h"
+#include "ui/driver/script.h"
+#include "ui/format.h"
+#include "ui/idle.h"
+#include "ui/panels/time_range.h"
+#include "ui/settings.h"
+#include "ui/shortcut.h"
+#include "ui/theme.h"
+#include "ui/tile_tree.h"
+#include "ui/timeline_steps.h"
+#include "ui/window/input.h"
+
+namespace trocar::ui {
+
+TEST_CASE("text on every ground of both themes has a contrast of at least 4.5 to 1") {
+  for (const Theme& theme : {dark_theme(), light_theme()}) {
+    CAPTURE(theme.dark);
+    for (const Rgba ground : {theme.panel, theme.header, theme.raised, theme.selection}) {
+      CHECK(contrast(theme.text, ground) >= 4.5);
+    }
+    for (const Rgba words : {theme.text_dim, theme.good, theme.warning, theme.danger}) {
+      CHECK(contrast(words, theme.panel) >= 4.5);
+      CHECK(contrast(words, mix(theme.panel, words, 0.18F)) >= 3.0);
+    }
+    CHECK(contrast(theme.text_dim, theme.header) >= 4.5);
+    CHECK(contrast(theme.on_accent, theme.accent_fill) >= 4.5);
+    CHECK(contrast(theme.on_accent, theme.danger_fill) >= 4.5);
+  }
+  for (int i = 0; i < demonstration::kSegmentCount; ++i) {
+    CHECK(contrast({16, 18, 21, 255}, segment_colour(static_cast<demonstration::Segment>(i))) >= 4.5);
+  }
+}
+
+TEST_CASE("contrast of black and white is 21, of equals 1") {
+  CHECK(contrast({0, 0, 0, 255}, {255, 255, 255, 255}) == doctest::Approx(21.0));
+  CHECK(contrast({90, 90, 90, 255}, {90, 90, 90, 255}) == doctest::Approx(1.0));
+}
+
+TEST_CASE("a chord is the same after being written and read") {
+  for (const char* words : {"Ctrl+Shift+T", "Space", "Alt+1", "F12", "Ctrl+=", "Shift+Delete", "Ctrl+-", "Left"}) {
+    CHECK(to_text(chord_from(words).value()) == words);
+  }
+  CHECK_FALSE(chord_from("Ctrl+Nothing"));
+  CHECK_FALSE(chord_from("Super+A"));
+  CHECK_FALSE(chord_from(""));
+}
+
+TEST_CASE("every key of the command table is a chord and means one command") {
+  std::vector<Chord> seen;
+  for (const CommandRow& row : command_table()) {
+    for (const std::string_view keys : row.keys) {
+      CAPTURE(keys);
+      const Result<Chord> chord = chord_from(keys);
+      REQUIRE(chord);
+      CHECK(std::find(seen.begin(), seen.end(), *chord) == seen.end());
+      seen.push_back(*chord);
+    }
+  }
+}
+
+TEST_CASE("a press and a release that arrive together are seen in two frames") {
+  ImGuiContext* context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context);
+  InputQueue input;
+  input.push(MouseButton{0, true});
+  input.push(MouseButton{0, false});
+  input.apply(ImGui::GetIO());
+  CHECK(input.pending());
+  CHECK(ImGui::GetIO().MouseDown[0]);
+  input.apply(ImGui::GetIO());
+  CHECK_FALSE(ImGui::GetIO().MouseDown[0]);
+  CHECK_FALSE(input.pending());
+  ImGui::DestroyContext(context);
+}
+
+TEST_CASE("tiles and gaps fill the window without overlap") {
+  for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
+    Tile root = default_layout(static_cast<Workspace>(i));
+    const Placement placement = place(root, {0, 0, 1600, 900}, 4.0F);
+    double area = 0.0;
+    for (const PlacedTile& placed : placement.tiles)
+      area += static_cast<double>(placed.rect.width()) * placed.rect.height();
+    for (const PlacedSplitter& bar : placement.splitters)
+      area += static_cast<double>(bar.rect.width()) * bar.rect.height();
+    CHECK(area == doctest::Approx(1600.0 * 900.0));
+  }
+}
+
+TEST_CASE("a splitter moves to the mouse and keeps room for both sides") {
+  Tile root = default_layout(Workspace::kAuthor);
+  Placement placement = place(root, {0, 0, 1600, 900}, 4.0F);
+  const auto first_column = [&root] { return place(root, {0, 0, 1600, 900}, 4.0F).tiles.front().rect.x1; };
+  const auto& bar = *std::find_if(placement.splitters.begin(), placement.splitters.end(),
+                                  [&](const PlacedSplitter& s) { return s.parent == &root && s.index == 0; });
+  move_splitter(bar, 500.0F, 200.0F);
+  CHECK(first_column() == doctest::Approx(500.0F).epsilon(0.01));
+  move_splitter(bar, 10.0F, 200.0F);
+  CHECK(first_column() == doctest::Approx(200.0F).epsilon(0.02));
+}
+
+TEST_CASE("a layout survives being written and read, and a broken one is refused") {
+  for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
+    const std::string json = to_json(default_layout(static_cast<Workspace>(i)));
+    CHECK(to_json(tile_from_json(json).value()) == json);
+  }
+  for (const char* broken : {"", "[]", "{}", R"({"tabs":["View"]})", R"({"tabs":["Nothing"]})",
+                             R"({"row":[{"tabs":["View"]}],"shares":[0.5,0.5]})", R"({"row":[],"shares":[]})"}) {
+    CHECK_FALSE(tile_from_json(broken));
+  }
+}
+
+TEST_CASE("settings survive being written and read, and nonsense keeps the defaults") {
+  Settings settings;
+  settings.scale = 1.5F;
+  settings.dark = false;
+  settings.workspace = Workspace::kFields;
+  settings.window = {1280, 800};
+  settings.recent = {"/a.trocar"};
+  CHECK(to_json(settings_from_json(to_json(settings)).value()) == to_json(settings));
+  CHECK(to_json(settings_from_json(R"({"scale":"big","dark":7,"layouts":[],"window":[1],"workspace":9})").value()) ==
+        to_json(Settings{}));
+  CHECK_FALSE(settings_from_json("no"));
+}
+
+TEST_CASE("a script is parsed with quotes and comments, and an error names its line") {
+  const auto lines = parse_script("# first\nclick \"Library/Record…\"  # then\n\nwait idle 30\nkey Ctrl+P").value();
+  REQUIRE(lines.size() == 3);
+  CHECK(lines[0].number == 2);
+  CHECK(lines[0].words == std::vector<std::string>{"click", "Library/Record…"});
+  CHECK(lines[2].number == 5);
+  for (const char* broken : {"klick x", "click", "drag a b c", "expect a value", "wait", "frames many", "click \"a"}) {
+    CAPTURE(broken);
+    const auto parsed = parse_script(std::string("\n") + broken);
+    REQUIRE_FALSE(parsed);
+    CHECK(parsed.error().text().find("line 2") != std::string::npos);
+  }
+}
+
+TEST_CASE("zooming a time range keeps the time under the mouse in place") {
+  TimeRange range{0.0, 10.0};
+  const float before = range.x_of(7.0, 100.0F, 500.0F);
+  range.zoom(7.0, 0.5);
+  CHECK(range.x_of(7.0, 100.0F, 500.0F) == doctest::Approx(before));
+  CHECK(range.span_s() == doctest::Approx(5.0));
+  CHECK(range.time_at(before, 100.0F, 500.0F) == doctest::Approx(7.0));
+  range.zoom(0.0, 1000.0);
+  range.keep_within(10.0);
+  CHECK(range.span_s() == doctest::Approx(10.6));
+}
+
+TEST_CASE("marks of the ruler are round and not too close") {
+  CHECK(ruler_step({0.0, 10.0}, 500.0F, 60.0F) == doctest::Approx(2.0));
+  CHECK(ruler_step({0.0, 1.0}, 500.0F, 60.0F) == doctest::Approx(0.2));
+}
+
+TEST_CASE("idle ends are trimmed to a tenth of a second and a moving one is left alone") {
+  const auto state = testing::made_state();
+  const auto& shown = *state.project->demonstrations.at({1});
+  const auto trim = idle_trim(shown).value();
+  CHECK(trim.from_s == doctest::Approx(0.9));  // It rests for the first second.
+  CHECK(trim.to_s == doctest::Approx(6.1));
+  const auto trimmed = demonstration::apply(shown, demonstration::Edit{trim}).value();
+  CHECK_FALSE(idle_trim(trimmed));
+}
+
+TEST_CASE("the playhead steps by samples and to the edges of segments, within the gates") {
+  const auto state = testing::made_state();
+  const auto& shown = *state.project->demonstrations.at({1});
+  CHECK(stepped(shown, 1.0, 1) == doctest::Approx(1.005));
+  CHECK(stepped(shown, 0.0, -1) == 0.0);
+  CHECK(stepped(shown, 7.0, 10) == doctest::Approx(7.0));
+  CHECK(next_boundary(shown, 2.5, 1) == doctest::Approx(3.0));
+  CHECK(next_boundary(shown, 2.5, -1) == doctest::Approx(2.0));
+  CHECK(next_boundary(shown, 7.0, 1) == doctest::Approx(7.0));
+}
+
+TEST_CASE("numbers read as people write them") {
+  CHECK(count(2480) == "2,480");
+  CHECK(count(-1234567) == "−1,234,567");
+  CHECK(time_code(59.96) == "1:00.0");
+  CHECK(time_code(3723.4) == "1:02:03.4");
+  CHECK(percent(1, 3) == "33 %");
+  CHECK(percent(1, 1) == "100 %");
+  CHECK(percent(0, 0) == "–");
+  CHECK(number(-0.5) == "−0.5");
+  CHECK(number(std::nan("")) == "–");
+}
+
+TEST_CASE("an act is said as the command line would say it") {
+  const auto state = testing::made_state();
+  workbench::RecordScripted record;
+  record.options.seed = 7;
+  record.name = "it's mine";
+  CHECK(command_text(workbench::Command{record}, state) ==
+        "trocar demo record /data/pegs.trocar --operator scripted --skill expert --seed 7 --block 0 --goal 0 --name "
+        "'it'\\''s mine'");
+  CHECK(command_text(workbench::Command{workbench::Play{1.0}}, state).empty());
+}
+
+}  // namespace trocar::ui

@@ -1,0 +1,34 @@
+#include "ui/application.h"
+
+#include "ui/format.h"
+
+namespace trocar::ui {
+
+Result<std::unique_ptr<Application>> Application::create(Window& window, workbench::Workbench& workbench,
+                                                         Settings settings) {
+  std::unique_ptr<Application> application(new Application(window, workbench));
+  TROCAR_ASSIGN_OR_RETURN(application->session_, Session::create(window, std::move(settings)));
+  return application;
+}
+
+Status Application::step(double timeout_s) {
+  const bool moving = workbench_.busy() || session_->restless();
+  window_.poll(moving ? 0.0 : timeout_s);
+  workbench_.poll();
+  const workbench::WorkbenchState& state = workbench_.state();
+  const std::string project = state.project == nullptr ? "" : state.path.filename().string() + " – ";
+  window_.set_title(project + "Trocar");
+  TROCAR_ASSIGN_OR_RETURN(ShellResult result, session_->frame(state));
+  for (workbench::Command& command : result.commands) workbench_.post(std::move(command));
+  quit_ = quit_ || result.quit || window_.should_close();
+  return {};
+}
+
+Status run(Application& application) {
+  // A job's progress and a picture that arrives late are looked for this often while nothing else happens.
+  constexpr double kRest_s = 0.25;
+  while (!application.quit()) TROCAR_RETURN_IF_ERROR(application.step(kRest_s));
+  return {};
+}
+
+}  // namespace trocar::ui

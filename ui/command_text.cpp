@@ -1,0 +1,105 @@
+#include "ui/command_text.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace trocar::ui {
+namespace {
+
+using namespace workbench;
+
+std::string ids(const std::vector<DemonstrationId>& list) {
+  std::string text;
+  for (const DemonstrationId id : list) text += fmt::format(" {}", id.value);
+  return text;
+}
+
+struct EditText {
+  std::string project;
+  std::string operator()(const AddDemonstration&) const { return ""; }
+  std::string operator()(const AddModel&) const { return ""; }
+  std::string operator()(const RemoveDemonstration& edit) const {
+    return fmt::format("trocar demo remove {} {}", project, edit.demonstration.value);
+  }
+  std::string operator()(const RemoveModel& edit) const {
+    return fmt::format("trocar model remove {} {}", project, edit.model.value);
+  }
+  std::string operator()(const EditDemonstration& edit) const {
+    const std::string head = fmt::format("trocar demo edit {} {} ", project, edit.demonstration.value);
+    if (const auto* trim = std::get_if<demonstration::Trim>(&edit.edit)) {
+      return head + fmt::format("trim --from {:.3f} --to {:.3f}", trim->from_s, trim->to_s);
+    }
+    if (const auto* rename = std::get_if<demonstration::Rename>(&edit.edit)) {
+      return head + "rename --name " + shell_word(rename->name);
+    }
+    const auto& label = std::get<demonstration::LabelSegment>(edit.edit);
+    return head + fmt::format("label --segment {} --from {:.3f} --to {:.3f}", demonstration::letter(label.label),
+                              label.from_s, label.to_s);
+  }
+};
+
+std::string record_text(const RecordScripted& command, const std::string& project) {
+  const trial::TransferOptions& options = command.options;
+  std::string text = fmt::format("trocar demo record {} --operator scripted --skill {} --seed {} --block {} --goal {}",
+                                 project, trial::to_string(options.skill), options.seed, options.block, options.goal);
+  if (!command.name.empty()) text += " --name " + shell_word(command.name);
+  return text;
+}
+
+std::string train_text(const TrainModel& command, const std::string& project) {
+  const learning::TrainOptions& options = command.options;
+  std::string text = fmt::format("trocar model train {}{} --segment {} --method {} --seed {} --grid {}", project,
+                                 ids(command.demonstrations), demonstration::letter(command.segment),
+                                 learning::to_string(options.method), options.seed, command.grid);
+  if (options.method != learning::Method::kExact) {
+    text += fmt::format(" --epsilon {:g} --episodes {}", options.epsilon, options.episodes);
+  }
+  if (!command.name.empty()) text += " --name " + shell_word(command.name);
+  return text;
+}
+
+std::string field_text(const ExportField& command, const std::string& project) {
+  const std::string what = command.slice.empty() ? "--montage" : "--slice " + command.slice;
+  return fmt::format("trocar field export {} {} --layer {} {} --out {}", project, command.model.value,
+                     learning::to_string(command.layer), what, shell_word(command.path.string()));
+}
+
+}  // namespace
+
+std::string shell_word(const std::string& word) {
+  bool plain = !word.empty();
+  for (const char c : word) {
+    const bool fine = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                      std::string_view("/._-+=:,@%").find(c) != std::string_view::npos;
+    plain = plain && fine;
+  }
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string command_text(const workbench::Command& command, const workbench::WorkbenchState& state) {
+  const std::string project = shell_word(state.path.string());
+  if (const auto* edit = std::get_if<CommitEdit>(&command)) return std::visit(EditText{project}, edit->edit);
+  if (std::holds_alternative<Undo>(command)) return "trocar undo " + project;
+  if (std::holds_alternative<Redo>(command)) return "trocar redo " + project;
+  if (const auto* open = std::get_if<OpenProject>(&command)) {
+    return (open->create ? "trocar new " : "trocar-workbench ") + shell_word(open->path.string());
+  }
+  if (const auto* record = std::get_if<RecordScripted>(&command)) return record_text(*record, project);
+  if (const auto* train = std::get_if<TrainModel>(&command)) return train_text(*train, project);
+  if (const auto* verify = std::get_if<VerifyReplay>(&command)) {
+    return fmt::format("trocar demo replay {} {} --verify", project, verify->demonstration.value);
+  }
+  if (const auto* video = std::get_if<ExportVideo>(&command)) {
+    return fmt::format("trocar video render {}{} --out {} --fps {:g} --size {}x{} --layout {}", project,
+                       ids(video->demonstrations), shell_word(video->path.string()), video->fps, video->width,
+                       video->height, video->demonstrations.size() > 1 ? "side-by-side" : "single");
+  }
+  if (const auto* figure = std::get_if<ExportField>(&command)) return field_text(*figure, project);
+  return "";
+}
+
+}  // namespace trocar::ui

@@ -1,0 +1,33 @@
+/// Scripts that use the window: one act a line, by label. `demos/…/*.ui`, `tests/gui/*.ui`, `trocar ui run`.
+///
+///     # a comment
+///     click "Library/Record…"
+///     type "Record/Seed" 7
+///     drag "Timeline/In gate" 80 0
+///     expect "Timeline/Playhead" value 0.500
+///     expect "Toolbar/Undo" enabled            (disabled, present, absent, contains WORDS)
+///     key Ctrl+Shift+T
+///     wait idle 120                            (seconds; 60 if not said)
+///     wait for "Library/Expert 1" 30
+///     frames 5
+///     screenshot out.png
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+
+namespace trocar::ui {
+
+struct ScriptLine {
+  int number = 0;                  ///< From 1.
+  std::vector<std::string> words;  ///< The verb first.
+};
+
+/// Empty lines and comments are left out; words are parted by blanks, "…" keeps blanks, \" and \\ within.
+/// Errors: kInvalidArgument naming the line: an unknown verb, too few or too many words, a number that is none.
+Result<std::vector<ScriptLine>> parse_script(std::string_view text);
+
+}  // namespace trocar::ui

@@ -1,0 +1,66 @@
+#include "ui/format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "engine/spatial/units.h"
+
+namespace trocar::ui {
+
+std::string seconds(double s) {
+  return fmt::format("{:.2f} s", s);
+}
+
+std::string time_code(double s) {
+  // Tenths first, so that 59.96 s is 1:00.0 and never 0:60.0.
+  const auto tenths = static_cast<std::int64_t>(std::llround(std::max(s, 0.0) * 10.0));
+  const std::int64_t minutes = tenths / 600;
+  const double rest = static_cast<double>(tenths % 600) / 10.0;
+  if (minutes >= 60) return fmt::format("{}:{:02}:{:04.1f}", minutes / 60, minutes % 60, rest);
+  return fmt::format("{}:{:04.1f}", minutes, rest);
+}
+
+std::string count(std::int64_t value) {
+  const std::string digits = std::to_string(value < 0 ? -value : value);
+  std::string text = value < 0 ? "−" : "";
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
+}
+
+std::string millimetres(double metres) {
+  return number(spatial::to_mm(metres)) + " mm";
+}
+
+std::string percent(std::int64_t part, std::int64_t whole) {
+  if (whole <= 0) return "–";
+  const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  const bool plain = share >= 10.0 || share == std::floor(share);
+  return fmt::format("{:.{}f} %", share, plain ? 0 : 1);
+}
+
+std::string number(double value) {
+  if (!std::isfinite(value)) return "–";
+  std::string text = fmt::format("{:.3g}", value);
+  if (text.front() == '-') return fmt::format("−{}", text.substr(1));
+  return text;
+}
+
+std::string short_hash(std::uint64_t hash) {
+  return fmt::format("{:016x}", hash).substr(0, 8);
+}
+
+std::string shown_path(const std::filesystem::path& path) {
+  const std::string text = path.string();
+  const char* home = std::getenv("HOME");
+  const std::string folder = fmt::format("{}/", home == nullptr ? "" : home);
+  if (folder.size() > 1 && text.starts_with(folder)) return fmt::format("~/{}", text.substr(folder.size()));
+  return text;
+}
+
+}  // namespace trocar::ui

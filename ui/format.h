@@ -1,0 +1,27 @@
+/// Numbers as people read them; millimetres and degrees exist only here.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace trocar::ui {
+
+/// "12.40 s"
+std::string seconds(double s);
+/// "0:12.4", "1:02:03.4": a place in time.
+std::string time_code(double s);
+/// "2,480"
+std::string count(std::int64_t number);
+/// "12.50 mm"
+std::string millimetres(double metres);
+/// "73 %", one decimal below 10 unless whole; "–" of nothing.
+std::string percent(std::int64_t part, std::int64_t whole);
+/// Three significant digits with a true minus sign; "–" for what is not a number.
+std::string number(double value);
+/// The eight first digits of a hash.
+std::string short_hash(std::uint64_t hash);
+/// "~/work/a.trocar": the home folder shortened.
+std::string shown_path(const std::filesystem::path& path);
+
+}  // namespace trocar::ui

@@ -1,0 +1,38 @@
+/// Ask where a film or a figure shall be written, and how large.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/forms/form.h"
+
+namespace trocar::ui {
+
+class VideoForm final : public Form {
+ protected:
+  std::string_view title() const override { return "Export video"; }
+  float width() const override { return 460.0F; }
+  void prepare(const WorkbenchState& state) override;
+  Requests draw_content(Ui& ui, const WorkbenchState& state) override;
+
+ private:
+  std::string path_;
+  int size_ = 0;
+  int rate_ = 1;
+  int beside_ = 0;  ///< 0: alone; else the n-th other demonstration.
+};
+
+class FieldForm final : public Form {
+ protected:
+  std::string_view title() const override { return "Export field"; }
+  float width() const override { return 460.0F; }
+  void prepare(const WorkbenchState& state) override;
+  Requests draw_content(Ui& ui, const WorkbenchState& state) override;
+
+ private:
+  std::string path_;
+  std::string slice_;
+  int kind_ = 0;
+};
+
+}  // namespace trocar::ui

@@ -1,0 +1,41 @@
+/// Our own file chooser: folders and project files of one folder, and a line to type a path in.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ui/forms/form.h"
+
+namespace trocar::ui {
+
+class FileForm final : public Form {
+ public:
+  void open_existing() { start(false); }
+  void open_new() { start(true); }
+
+ protected:
+  std::string_view title() const override { return create_ ? "New project" : "Open project"; }
+  float width() const override { return 560.0F; }
+  float height() const override { return 470.0F; }
+  void prepare(const WorkbenchState& state) override;
+  Requests draw_content(Ui& ui, const WorkbenchState& state) override;
+
+ private:
+  struct Entry {
+    std::string name;
+    bool folder = false;
+  };
+  void start(bool create);
+  void go_to(const std::filesystem::path& folder);
+  void draw_list(Ui& ui);
+  std::string reason() const;
+
+  bool create_ = false;
+  std::filesystem::path folder_;
+  std::vector<Entry> entries_;
+  std::string read_error_;
+  std::string typed_;  ///< File name, or a whole path.
+};
+
+}  // namespace trocar::ui

@@ -1,0 +1,38 @@
+#include "ui/forms/form.h"
+
+#include "ui/icons.h"
+
+namespace trocar::ui {
+
+Requests Form::draw(Ui& ui, const WorkbenchState& state) {
+  if (!open_) return {};
+  const bool first = opened_;
+  if (first) prepare(state);
+  opened_ = false;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5F * screen.x, 0.24F * screen.y}, ImGuiCond_Appearing, {0.5F, 0.0F});
+  ImGui::SetNextWindowSize({ui.px(width()), ui.px(height())}, ImGuiCond_Always);
+  if (first) ImGui::SetNextWindowFocus();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(18), ui.px(14)});
+  const ColourScope ground(ImGuiCol_WindowBg, mix(ui.theme().panel, ui.theme().raised, 0.35F));
+  Requests requests;
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+  if (ImGui::Begin(std::string(title()).c_str(), nullptr, kFlags)) {
+    const Scope scope(ui, title());
+    heading(ui, title());
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::GetFrameHeight());
+    const bool crossed =
+        icon_button(ui, "Close", {.icon = icon::kCross, .shortcut = "Escape", .style = ButtonStyle::kQuiet});
+    ImGui::Dummy({0.0F, ui.px(2)});
+    requests = draw_content(ui, state);
+    const bool escaped =
+        ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && ui.input().pressed(Key::kEscape);
+    if (crossed || escaped) close();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+  return requests;
+}
+
+}  // namespace trocar::ui

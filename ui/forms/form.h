@@ -1,0 +1,31 @@
+/// A small floating window with a question: record, open, export. Never modal; Esc or the cross closes it.
+#pragma once
+
+#include <string_view>
+
+#include "ui/panel.h"
+
+namespace trocar::ui {
+
+class Form {
+ public:
+  virtual ~Form() = default;
+  void open() { opened_ = open_ = true; }
+  void close() { open_ = false; }
+  bool is_open() const { return open_; }
+  /// Draws nothing while closed.
+  Requests draw(Ui& ui, const WorkbenchState& state);
+
+ protected:
+  virtual std::string_view title() const = 0;
+  virtual float width() const { return 400.0F; }  ///< Pixels at 100 %.
+  virtual float height() const { return 0.0F; }   ///< 0: as needed.
+  virtual void prepare(const WorkbenchState&) {}  ///< When it opens.
+  virtual Requests draw_content(Ui& ui, const WorkbenchState& state) = 0;
+
+ private:
+  bool open_ = false;
+  bool opened_ = false;
+};
+
+}  // namespace trocar::ui

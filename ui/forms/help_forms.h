@@ -1,0 +1,23 @@
+/// The sheet of all keys, and what this program is.
+#pragma once
+
+#include "ui/forms/form.h"
+
+namespace trocar::ui {
+
+class ShortcutForm final : public Form {
+ protected:
+  std::string_view title() const override { return "Keyboard shortcuts"; }
+  float width() const override { return 760.0F; }
+  float height() const override { return 560.0F; }
+  Requests draw_content(Ui& ui, const WorkbenchState& state) override;
+};
+
+class AboutForm final : public Form {
+ protected:
+  std::string_view title() const override { return "About Trocar"; }
+  float width() const override { return 440.0F; }
+  Requests draw_content(Ui& ui, const WorkbenchState& state) override;
+};
+
+}  // namespace trocar::ui

@@ -1,0 +1,40 @@
+#include "ui/panel.h"
+
+#include "ui/panels/activity_panels.h"
+#include "ui/panels/fields_panel.h"
+#include "ui/panels/inspector_panel.h"
+#include "ui/panels/library_panel.h"
+#include "ui/panels/rollouts_panel.h"
+#include "ui/panels/timeline_panel.h"
+#include "ui/panels/train_panel.h"
+#include "ui/panels/view_panel.h"
+
+namespace trocar::ui {
+
+std::unique_ptr<Panel> make_panel(PanelId panel) {
+  switch (panel) {
+    case PanelId::kLibrary:
+      return std::make_unique<LibraryPanel>();
+    case PanelId::kView:
+      return std::make_unique<ViewPanel>();
+    case PanelId::kTimeline:
+      return std::make_unique<TimelinePanel>();
+    case PanelId::kFields:
+      return std::make_unique<FieldsPanel>();
+    case PanelId::kRollouts:
+      return std::make_unique<RolloutsPanel>();
+    case PanelId::kTrain:
+      return std::make_unique<TrainPanel>();
+    case PanelId::kInspector:
+      return std::make_unique<InspectorPanel>();
+    case PanelId::kHistory:
+      return std::make_unique<HistoryPanel>();
+    case PanelId::kJobs:
+      return std::make_unique<JobsPanel>();
+    case PanelId::kLog:
+      return std::make_unique<LogPanel>();
+  }
+  return nullptr;
+}
+
+}  // namespace trocar::ui

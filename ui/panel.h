@@ -1,0 +1,24 @@
+/// What every panel is: it reads constant state, draws, and returns what the user asked for.
+#pragma once
+
+#include <memory>
+
+#include "engine/workbench/workbench.h"
+#include "ui/request.h"
+#include "ui/widgets/widgets.h"
+
+namespace trocar::ui {
+
+using workbench::WorkbenchState;
+
+/// Threads: that of the window.
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  /// Called within the panel's region of the window, its scope ("Library") open.
+  virtual Requests draw(Ui& ui, const WorkbenchState& state) = 0;
+};
+
+std::unique_ptr<Panel> make_panel(PanelId panel);
+
+}  // namespace trocar::ui

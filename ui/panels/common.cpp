@@ -1,0 +1,115 @@
+#include "ui/panels/common.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "ui/format.h"
+#include "ui/icons.h"
+
+namespace trocar::ui {
+
+bool draw_no_project(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  using workbench::LoadState;
+  if (state.load == LoadState::kReady && state.project != nullptr) return false;
+  if (state.load == LoadState::kLoading) {
+    const std::string sentence = "Reading " + shown_path(state.path);
+    empty_state(ui, icon::kClock, "Opening the project", sentence, {});
+    ui.animate();
+    return true;
+  }
+  const std::array<EmptyStateAction, 2> actions{{{"New project…", icon::kFile, {}, "Make an empty project file"},
+                                                 {"Open project…", icon::kFolder, {}, "Open a project file"}}};
+  int clicked = -1;
+  if (state.load == LoadState::kFailed) {
+    clicked = empty_state(ui, icon::kWarning, "The project could not be opened", state.load_error, actions);
+  } else {
+    clicked = empty_state(ui, icon::kFolder, "No project is open",
+                          "Demonstrations, models and their history live in one file", actions);
+  }
+  if (clicked == 0) requests.emplace_back(UiAction::kNewProject);
+  if (clicked == 1) requests.emplace_back(UiAction::kOpenProject);
+  return true;
+}
+
+void command_button(Ui& ui, const WorkbenchState& state, std::string_view id, std::string_view label, ButtonStyle style,
+                    Requests& requests) {
+  const CommandRow& row = command(id);
+  const std::string reason = row.reason_now(state);
+  const std::string keys = row.keys.empty() ? std::string() : std::string(row.keys.front());
+  if (button(ui, label, {.icon = row.icon, .help = row.help, .shortcut = keys, .reason = reason, .style = style})) {
+    append(requests, row.run(state));
+  }
+}
+
+void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requests& requests) {
+  const CommandRow& row = command(id);
+  const std::string reason = row.reason_now(state);
+  const std::string help = std::string(row.title) + ": " + std::string(row.help);
+  const std::string keys = row.keys.empty() ? std::string() : std::string(row.keys.front());
+  const WidgetOptions options{
+      .icon = row.icon, .help = help, .shortcut = keys, .reason = reason, .style = ButtonStyle::kQuiet};
+  if (icon_button(ui, row.title, options)) append(requests, row.run(state));
+}
+
+void segment_chip(Ui& ui, demonstration::Segment segment, bool present, float size) {
+  const FontScope font(ui.fonts().small);
+  const std::string letter(1, demonstration::letter(segment));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 end{at.x + size, at.y + size};
+  const ImVec2 words = ImGui::CalcTextSize(letter.c_str());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (present) {
+    list.AddRectFilled(at, end, to_u32(segment_colour(segment)), ui.px(3));
+  } else {
+    list.AddRect(at, end, to_u32(ui.theme().line), ui.px(3));
+  }
+  const Rgba ink = present ? Rgba{16, 18, 21, 255} : ui.theme().text_disabled;
+  const ImVec2 place{at.x + 0.5F * (size - words.x), at.y + 0.5F * (size - words.y)};
+  list.AddText({std::round(place.x), std::round(place.y)}, to_u32(ink), letter.c_str());
+  ImGui::Dummy({size, size});
+}
+
+void segment_chips(Ui& ui, const demonstration::Demonstration& shown, float size) {
+  for (int i = 0; i < demonstration::kSegmentCount; ++i) {
+    const auto segment = static_cast<demonstration::Segment>(i);
+    if (i > 0) ImGui::SameLine(0.0F, ui.px(2));
+    segment_chip(ui, segment, shown.segment(segment).has_value(), size);
+  }
+}
+
+Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome) {
+  using demonstration::Outcome;
+  switch (outcome) {
+    case Outcome::kSuccess:
+      return theme.good;
+    case Outcome::kUnfinished:
+      return theme.text_dim;
+    case Outcome::kAborted:
+      return theme.warning;
+    case Outcome::kDropped:
+    case Outcome::kFault:
+      return theme.danger;
+  }
+  return theme.text_dim;
+}
+
+std::string outcome_words(const demonstration::Recording& recording) {
+  if (recording.outcome == demonstration::Outcome::kSuccess) {
+    return std::string(icon::kVerify) + (recording.placed ? " placed" : " success");
+  }
+  const char* sign = recording.outcome == demonstration::Outcome::kUnfinished ? icon::kClock : icon::kCross;
+  return std::string(sign) + " " + std::string(demonstration::to_string(recording.outcome));
+}
+
+std::string provenance_words(const demonstration::Provenance& provenance) {
+  if (provenance.skill.empty()) return provenance.operator_kind;
+  return provenance.operator_kind + " " + provenance.skill;
+}
+
+void append(Requests& to, Requests from) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
+}
+
+}  // namespace trocar::ui

@@ -1,0 +1,31 @@
+/// What several panels draw alike: the states without a project, chips of segments, buttons of commands.
+#pragma once
+
+#include <string_view>
+
+#include "ui/command_table.h"
+#include "ui/panel.h"
+
+namespace trocar::ui {
+
+/// Where no project is ready: says so (empty, loading or error, with what can be done) and returns true.
+bool draw_no_project(Ui& ui, const WorkbenchState& state, Requests& requests);
+
+/// A button for a row of the command table: its icon, help, keys and reason.
+void command_button(Ui& ui, const WorkbenchState& state, std::string_view id, std::string_view label, ButtonStyle style,
+                    Requests& requests);
+void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requests& requests);
+
+/// A letter on its colour; an outline where the demonstration lacks the segment.
+void segment_chip(Ui& ui, demonstration::Segment segment, bool present, float size);
+void segment_chips(Ui& ui, const demonstration::Demonstration& shown, float size);
+
+Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome);
+/// "placed", "dropped" …: the outcome in one word, with its sign.
+std::string outcome_words(const demonstration::Recording& recording);
+/// "scripted expert", "imported".
+std::string provenance_words(const demonstration::Provenance& provenance);
+
+void append(Requests& to, Requests from);
+
+}  // namespace trocar::ui

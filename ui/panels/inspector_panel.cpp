@@ -1,0 +1,131 @@
+#include "ui/panels/inspector_panel.h"
+
+#include <fmt/format.h>
+
+#include "ui/format.h"
+#include "ui/icons.h"
+#include "ui/panels/common.h"
+
+namespace trocar::ui {
+namespace {
+
+using workbench::Command;
+using workbench::ModelEntry;
+
+void draw_provenance(Ui& ui, const demonstration::Recording& recording) {
+  const demonstration::Provenance& origin = recording.provenance;
+  const Scope scope(ui, "Origin");
+  heading(ui, "Origin");
+  fact(ui, "Made by", provenance_words(origin));
+  if (!origin.device.empty()) fact(ui, "Device", origin.device);
+  fact(ui, "Seed", std::to_string(origin.seed));
+  fact(ui, "Block, goal", fmt::format("{}, {}", origin.block, origin.goal));
+  if (!origin.created.empty()) fact(ui, "Recorded", origin.created);
+  if (!origin.software.empty()) fact(ui, "With", origin.software);
+  if (!origin.scene_hash.empty()) fact(ui, "Scene", origin.scene_hash);
+}
+
+void draw_model(Ui& ui, const WorkbenchState& state, const ModelEntry& entry) {
+  const Scope scope(ui, "Model");
+  heading(ui, entry.name);
+  const learning::TrainOptions& options = entry.model->options;
+  if (state.project->stale(entry)) {
+    badge(ui, std::string(icon::kWarning) + " stale: a demonstration was edited since training", ui.theme().warning);
+  }
+  fact(ui, "Method", learning::to_string(options.method));
+  fact(ui, "Segment", std::string(1, demonstration::letter(entry.segment)));
+  if (options.method != learning::Method::kExact) {
+    fact(ui, "Episodes", count(options.episodes));
+    fact(ui, "ε", number(options.epsilon));
+  }
+  fact(ui, "Seed", std::to_string(options.seed));
+  fact(ui, "Lattice", fmt::format("{0} × {0} × {0}", entry.model->grid.n));
+  fact(ui, "Trained in", seconds(entry.model->seconds));
+  if (!entry.created.empty()) fact(ui, "Trained", entry.created);
+  if (!state.insight || state.insight->entry == nullptr || state.insight->entry->id != entry.id) return;
+  fact(ui, "Fully explored", count(state.insight->exploration.fully_explored) + " cells");
+  fact(ui, "Partly explored", count(state.insight->exploration.partly_explored) + " cells");
+  fact(ui, "Unexplored", count(state.insight->exploration.fully_unexplored) + " cells");
+}
+
+}  // namespace
+
+void InspectorPanel::draw_segments(Ui& ui, const WorkbenchState&, const demonstration::Demonstration& shown,
+                                   Requests& requests) {
+  const Scope scope(ui, "Segments");
+  heading(ui, "Segments");
+  for (int i = 0; i < demonstration::kSegmentCount; ++i) {
+    const auto segment = static_cast<demonstration::Segment>(i);
+    const auto span = shown.segment(segment);
+    const std::string label(1, demonstration::letter(segment));
+    const std::string value = span ? fmt::format("{:.2f}–{:.2f} s", span->begin_s, span->end_s) : "missing";
+    const ImVec2 at = ImGui::GetCursorPos();
+    const WidgetOptions options{.help = span ? "Click to go to its beginning" : "", .height = ui.px(22)};
+    if (selectable_row(ui, label, false, value, options) && span) {
+      requests.emplace_back(Command{workbench::SetPlayhead{span->begin_s}});
+    }
+    const ImVec2 next = ImGui::GetCursorPos();
+    ImGui::SetCursorPos({at.x + ui.px(2), at.y + ui.px(3)});
+    segment_chip(ui, segment, span.has_value(), ui.px(17));
+    ImGui::SetCursorPos({at.x + ui.px(30), at.y + ui.px(2)});
+    const ColourScope colour(ImGuiCol_Text, span ? ui.theme().text : ui.theme().text_disabled);
+    ImGui::TextUnformatted(value.c_str());
+    if (span) {
+      const std::string length = seconds(span->end_s - span->begin_s);
+      ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(length.c_str()).x);
+      const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
+      ImGui::TextUnformatted(length.c_str());
+    }
+    ImGui::SetCursorPos(next);
+  }
+}
+
+void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const auto shown = selected_demonstration(state);
+  const Scope scope(ui, "Demonstration");
+  if (named_ != shown->id || last_name_ != shown->name) {
+    named_ = shown->id;
+    name_ = last_name_ = shown->name;
+  }
+  form_label(ui, "Name");
+  if (text_field(ui, "Name", name_, "Name") && !name_.empty() && name_ != shown->name) {
+    requests.emplace_back(
+        Command{workbench::CommitEdit{workbench::EditDemonstration{shown->id, demonstration::Rename{name_}}}});
+  }
+  badge(ui, outcome_words(*shown->recording), outcome_colour(ui.theme(), shown->recording->outcome));
+  if (shown->recording->recovered) {
+    ImGui::SameLine();
+    badge(ui, std::string(icon::kWarning) + " recovered", ui.theme().warning, "Salvaged after a crash");
+  }
+  fact(ui, "Duration", seconds(shown->duration_s()));
+  fact(ui, "Gates", fmt::format("{:.2f}–{:.2f} s", shown->begin_s, shown->end_s));
+  fact(ui, "Samples", count(static_cast<std::int64_t>(shown->gated().size())) + " at 200 Hz");
+  fact(ui, "Version", short_hash(shown->hash()));
+  ImGui::Dummy({0.0F, ui.px(2)});
+  draw_segments(ui, state, *shown, requests);
+  ImGui::Dummy({0.0F, ui.px(2)});
+  draw_provenance(ui, *shown->recording);
+}
+
+Requests InspectorPanel::draw(Ui& ui, const WorkbenchState& state) {
+  Requests requests;
+  if (draw_no_project(ui, state, requests)) return requests;
+  const auto shown = selected_demonstration(state);
+  const auto model = selected_model(state);
+  if (shown == nullptr && model == nullptr) {
+    empty_state(ui, icon::kInfo, "Nothing is selected", "Select a demonstration or a model in the library", {});
+    return requests;
+  }
+  if (shown != nullptr) draw_demonstration(ui, state, requests);
+  if (model != nullptr) {
+    if (shown != nullptr) {
+      ImGui::Dummy({0.0F, ui.px(4)});
+      ImGui::Separator();
+      ImGui::Dummy({0.0F, ui.px(2)});
+    }
+    draw_model(ui, state, *model);
+  }
+  return requests;
+}
+
+}  // namespace trocar::ui

@@ -1,0 +1,80 @@
+#include "ui/panels/lane_data.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace trocar::ui {
+namespace {
+
+using demonstration::Sample;
+
+// `state_of` gives 0 for what is not drawn.
+template <typename StateOf>
+std::vector<Run> runs(const demonstration::Demonstration& shown, StateOf state_of) {
+  std::vector<Run> list;
+  int state = 0;
+  for (const Sample& sample : *shown.samples) {
+    const double t_s = shown.time_of(sample);
+    const int now = state_of(sample);
+    if (!list.empty() && state != 0) list.back().end_s = t_s;
+    if (now != state && now != 0) list.push_back({t_s, t_s, now});
+    state = now;
+  }
+  return list;
+}
+
+}  // namespace
+
+const std::vector<Run>& LaneData::flag(demonstration::SampleFlag flag) const {
+  return flags_[static_cast<std::size_t>(std::countr_zero(static_cast<std::uint32_t>(flag)))];
+}
+
+void LaneData::find_runs(const demonstration::Demonstration& shown) {
+  authority_ = runs(shown, [](const Sample& sample) { return 1 + static_cast<int>(sample.authority); });
+  for (std::size_t bit = 0; bit < flags_.size(); ++bit) {
+    flags_[bit] = runs(shown, [bit](const Sample& sample) { return static_cast<int>(sample.flags >> bit & 1U); });
+  }
+  jaw_low_ = 0.0F;
+  jaw_high_ = 0.1F;
+  for (const Sample& sample : *shown.samples) {
+    for (const auto& arm : sample.arms) {
+      jaw_low_ = std::min(jaw_low_, arm.jaw_rad);
+      jaw_high_ = std::max(jaw_high_, arm.jaw_rad);
+    }
+  }
+}
+
+void LaneData::decimate(const demonstration::Demonstration& shown, const TimeRange& range, int columns) {
+  for (auto& lane : jaw_) lane.assign(static_cast<std::size_t>(columns), Extent{1.0F, -1.0F});
+  const std::vector<Sample>& samples = *shown.samples;
+  const auto first = std::lower_bound(samples.begin(), samples.end(), range.begin_s - 0.02,
+                                      [&](const Sample& s, double t) { return shown.time_of(s) < t; });
+  for (auto it = first; it != samples.end(); ++it) {
+    const double place = (shown.time_of(*it) - range.begin_s) / range.span_s() * columns;
+    if (place >= columns) break;
+    if (place < 0.0) continue;
+    const auto column = static_cast<std::size_t>(place);
+    for (std::size_t arm = 0; arm < 2; ++arm) {
+      Extent& extent = jaw_[arm][column];
+      const float value = it->arms[arm].jaw_rad;
+      extent = extent.low > extent.high ? Extent{value, value}
+                                        : Extent{std::min(extent.low, value), std::max(extent.high, value)};
+    }
+  }
+}
+
+void LaneData::update(const demonstration::Demonstration& shown, const TimeRange& range, int columns) {
+  const bool same_samples = samples_ == shown.samples;
+  if (!same_samples) {
+    samples_ = shown.samples;
+    find_runs(shown);
+  }
+  const bool same_range = range_.begin_s == range.begin_s && range_.end_s == range.end_s && columns_ == columns;
+  if (same_samples && same_range) return;
+  range_ = range;
+  columns_ = columns;
+  decimate(shown, range, columns);
+}
+
+}  // namespace trocar::ui

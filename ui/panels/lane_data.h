@@ -1,0 +1,54 @@
+/// What the timeline's lanes show of a demonstration, worked out once for each version and zoom.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/demonstration/demonstration.h"
+#include "ui/panels/time_range.h"
+
+namespace trocar::ui {
+
+/// A stretch of time in which a state held.
+struct Run {
+  double begin_s = 0.0;
+  double end_s = 0.0;
+  int state = 0;
+};
+
+/// The least and the greatest value within one column of pixels.
+struct Extent {
+  float low = 0.0F;
+  float high = 0.0F;
+};
+
+class LaneData {
+ public:
+  /// Cheap when neither the samples nor the zoom changed.
+  void update(const demonstration::Demonstration& shown, const TimeRange& range, int columns);
+
+  const std::vector<Run>& authority() const { return authority_; }
+  /// Spans in which a flag of `demonstration::SampleFlag` is set.
+  const std::vector<Run>& flag(demonstration::SampleFlag flag) const;
+  /// One for each column; `low` > `high` where there is no sample.
+  const std::vector<Extent>& jaw(int arm) const { return jaw_[static_cast<std::size_t>(arm)]; }
+  float jaw_low() const { return jaw_low_; }
+  float jaw_high() const { return jaw_high_; }
+
+ private:
+  void find_runs(const demonstration::Demonstration& shown);
+  void decimate(const demonstration::Demonstration& shown, const TimeRange& range, int columns);
+
+  std::shared_ptr<const std::vector<demonstration::Sample>> samples_;
+  TimeRange range_{0.0, 0.0};
+  int columns_ = 0;
+  std::vector<Run> authority_;
+  std::array<std::vector<Run>, 4> flags_;
+  std::array<std::vector<Extent>, 2> jaw_;
+  float jaw_low_ = 0.0F;
+  float jaw_high_ = 1.0F;
+};
+
+}  // namespace trocar::ui

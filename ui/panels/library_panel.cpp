@@ -1,0 +1,249 @@
+#include "ui/panels/library_panel.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/format.h"
+#include "ui/icons.h"
+#include "ui/panels/common.h"
+
+namespace trocar::ui {
+namespace {
+
+using demonstration::Demonstration;
+using workbench::ModelEntry;
+
+constexpr ImGuiTableFlags kTableFlags =
+    ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX | ImGuiTableFlags_Resizable;
+
+void right_aligned(std::string_view words, float right) {
+  const float width = ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+  ImGui::SameLine(right - width);
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+}
+
+// Name and duration above; segments, outcome and origin below.
+void draw_card(Ui& ui, const Demonstration& shown, float width) {
+  const float left = ImGui::GetCursorPosX();
+  const std::string duration = seconds(shown.duration_s());
+  const float room = width - ImGui::CalcTextSize(duration.c_str()).x - ui.px(12);
+  ImGui::TextUnformatted(fitted(shown.name, room).c_str());
+  {
+    const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
+    right_aligned(duration, left + width);
+  }
+  ImGui::SetCursorPosX(left);
+  segment_chips(ui, shown, ui.px(17));
+  ImGui::SameLine(0.0F, ui.px(8));
+  badge(ui, outcome_words(*shown.recording), outcome_colour(ui.theme(), shown.recording->outcome));
+  const FontScope font(ui.fonts().small);
+  const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
+  const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8);
+  right_aligned(fitted(provenance_words(shown.recording->provenance), left + width - used), left + width);
+}
+
+bool begin_wide_table(const char* id, std::span<const char* const> columns) {
+  if (!ImGui::BeginTable(id, static_cast<int>(columns.size()), kTableFlags)) return false;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    ImGui::TableSetupColumn(columns[i], ImGuiTableColumnFlags_WidthStretch, i == 0 ? 2.4F : 1.0F);
+  }
+  ImGui::TableHeadersRow();
+  return true;
+}
+
+void cell(std::string_view words) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+}
+
+std::string summary(const Demonstration& shown) {
+  std::string segments;
+  for (const auto& span : shown.segments) segments += demonstration::letter(span.label);
+  return seconds(shown.duration_s()) + " " + segments + " " +
+         std::string(demonstration::to_string(shown.recording->outcome)) + " " +
+         provenance_words(shown.recording->provenance);
+}
+
+void draw_demonstration_cells(Ui& ui, const Demonstration& shown) {
+  cell(seconds(shown.duration_s()));
+  cell(count(static_cast<std::int64_t>(shown.gated().size())));
+  ImGui::TableNextColumn();
+  segment_chips(ui, shown, ui.px(17));
+  ImGui::TableNextColumn();
+  badge(ui, outcome_words(*shown.recording), outcome_colour(ui.theme(), shown.recording->outcome));
+  ImGui::TableNextColumn();
+  dim_text(ui, provenance_words(shown.recording->provenance));
+}
+
+// A selectable card of two lines; returns whether it was clicked.
+template <typename Draw>
+bool card(Ui& ui, std::string_view label, bool selected, std::string_view value, Draw draw) {
+  const float height = ui.px(50);
+  const ImVec2 at = ImGui::GetCursorPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool clicked = selectable_row(ui, label, selected, value, {.height = height});
+  const ImVec2 next = ImGui::GetCursorPos();
+  if (selected) {
+    const Rect rect = item_rect();
+    ImGui::GetWindowDrawList()->AddRectFilled({rect.x0, rect.y0}, {rect.x0 + ui.px(3), rect.y1},
+                                              to_u32(ui.theme().accent));
+  }
+  ImGui::SetCursorPos({at.x + ui.px(10), at.y + ui.px(4)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(5)});
+  draw(width - ui.px(20));
+  ImGui::PopStyleVar();
+  ImGui::SetCursorPos(next);
+  return clicked;
+}
+
+}  // namespace
+
+void LibraryPanel::remember(const WorkbenchState& state) {
+  if (!state.insight || state.insight->entry == nullptr) return;
+  const learning::RolloutSummary& near = state.insight->around[2];
+  arrival_[state.insight->entry->id] = percent(near.arrived, near.count);
+}
+
+std::string LibraryPanel::arrival_of(workbench::ModelId id) const {
+  const auto found = arrival_.find(id);
+  return found == arrival_.end() ? "–" : found->second;
+}
+
+Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
+  Requests requests;
+  if (draw_no_project(ui, state, requests)) return requests;
+  remember(state);
+  const bool wide = ImGui::GetContentRegionAvail().x > ui.px(620);
+  command_button(ui, state, "demo.record", "Record…", ButtonStyle::kPrimary, requests);
+  ImGui::SameLine();
+  command_button(ui, state, "model.train", "Train…", ButtonStyle::kNormal, requests);
+  const std::array<std::string_view, 3> icons{"edit.trim_idle", "demo.verify", "edit.remove_demonstration"};
+  const float each = ImGui::GetFrameHeight() + ui.px(4);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 3.0F * each - 2.0F * ui.px(2));
+  for (std::size_t i = 0; i < icons.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0.0F, ui.px(2));
+    command_icon(ui, state, icons[i], requests);
+  }
+  ImGui::Dummy({0.0F, ui.px(1)});
+  const float models = state.project->models.empty() ? ui.px(150) : 0.4F * ImGui::GetContentRegionAvail().y;
+  const float room = ImGui::GetContentRegionAvail().y - std::max(models, ui.px(150)) - ui.px(8);
+  ImGui::BeginChild("demonstrations", {0.0F, std::max(room, ui.px(100))});
+  draw_demonstrations(ui, state, wide, requests);
+  ImGui::EndChild();
+  ImGui::BeginChild("models");
+  draw_models(ui, state, wide, requests);
+  ImGui::EndChild();
+  return requests;
+}
+
+void LibraryPanel::draw_demonstrations(Ui& ui, const WorkbenchState& state, bool wide, Requests& requests) {
+  const auto& list = state.project->demonstrations;
+  const Scope scope(ui, "Demonstrations");
+  small_text(ui, "DEMONSTRATIONS  " + std::to_string(list.size()), ui.theme().text_dim);
+  if (list.empty()) {
+    const std::array<EmptyStateAction, 1> actions{
+        {{"Record a transfer…", icon::kRecord, state.live ? "A transfer is being recorded" : "",
+          "Scripted operators in the simulator"}}};
+    if (empty_state(ui, icon::kFilm, "No demonstration yet", "Record one with the scripted operators", actions) == 0) {
+      requests.emplace_back(UiAction::kShowRecord);
+    }
+    return;
+  }
+  const std::array<const char*, 6> columns{"Name", "Duration", "Samples", "Segments", "Outcome", "Source"};
+  if (wide && !begin_wide_table("demonstrations", columns)) return;
+  for (const auto& [id, shown] : list) {
+    const bool selected = id == state.demonstration;
+    ImGui::PushID(static_cast<int>(id.value));
+    bool clicked = false;
+    if (wide) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      clicked = selectable_row(ui, shown->name, selected, summary(*shown));
+      ImGui::SameLine(0.0F, 0.0F);
+      ImGui::TextUnformatted(shown->name.c_str());
+      draw_demonstration_cells(ui, *shown);
+    } else {
+      clicked = card(ui, shown->name, selected, summary(*shown), [&](float width) { draw_card(ui, *shown, width); });
+    }
+    ImGui::PopID();
+    if (clicked && !selected) requests.emplace_back(workbench::Command{workbench::SelectDemonstration{id}});
+  }
+  if (wide) ImGui::EndTable();
+}
+
+namespace {
+
+void draw_model_card(Ui& ui, const ModelEntry& entry, bool stale, const std::string& arrival, float width) {
+  const float left = ImGui::GetCursorPosX();
+  ImGui::TextUnformatted(fitted(entry.name, width - ui.px(60)).c_str());
+  {
+    const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
+    right_aligned(arrival, left + width);
+  }
+  ImGui::SetCursorPosX(left);
+  segment_chip(ui, entry.segment, true, ui.px(17));
+  ImGui::SameLine(0.0F, ui.px(8));
+  if (stale) {
+    badge(ui, std::string(icon::kWarning) + " stale", ui.theme().warning, "A demonstration was edited since training");
+    ImGui::SameLine(0.0F, ui.px(8));
+  }
+  small_text(ui,
+             std::string(learning::to_string(entry.model->options.method)) + "  " + seconds(entry.model->seconds) +
+                 " to train",
+             ui.theme().text_dim);
+}
+
+void draw_model_cells(Ui& ui, const ModelEntry& entry, bool stale, const std::string& arrival) {
+  cell(learning::to_string(entry.model->options.method));
+  ImGui::TableNextColumn();
+  segment_chip(ui, entry.segment, true, ui.px(17));
+  cell(arrival);
+  ImGui::TableNextColumn();
+  if (stale) {
+    badge(ui, std::string(icon::kWarning) + " stale", ui.theme().warning, "A demonstration was edited since training");
+  } else {
+    dim_text(ui, "up to date");
+  }
+}
+
+}  // namespace
+
+void LibraryPanel::draw_models(Ui& ui, const WorkbenchState& state, bool wide, Requests& requests) {
+  const auto& list = state.project->models;
+  const Scope scope(ui, "Models");
+  small_text(ui, "MODELS  " + std::to_string(list.size()), ui.theme().text_dim);
+  if (list.empty()) {
+    const std::string reason = command("model.train").reason_now(state);
+    const std::array<EmptyStateAction, 1> actions{
+        {{"Train a model…", icon::kTrain, reason, "Learn from demonstrations"}}};
+    if (empty_state(ui, icon::kTrain, "", "No model yet: train one from a demonstration", actions) == 0) {
+      requests.emplace_back(ShowPanel{PanelId::kTrain});
+    }
+    return;
+  }
+  const std::array<const char*, 5> columns{"Name", "Method", "Segment", "Arrives ±3", "State"};
+  if (wide && !begin_wide_table("models", columns)) return;
+  for (const auto& [id, entry] : list) {
+    const bool selected = id == state.model;
+    const bool stale = state.project->stale(*entry);
+    const std::string arrival = arrival_of(id);
+    ImGui::PushID(static_cast<int>(id.value));
+    bool clicked = false;
+    if (wide) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      clicked = selectable_row(ui, entry->name, selected, stale ? "stale" : "up to date");
+      ImGui::SameLine(0.0F, 0.0F);
+      ImGui::TextUnformatted(entry->name.c_str());
+      draw_model_cells(ui, *entry, stale, arrival);
+    } else {
+      clicked = card(ui, entry->name, selected, stale ? "stale" : "up to date",
+                     [&](float width) { draw_model_card(ui, *entry, stale, arrival, width); });
+    }
+    ImGui::PopID();
+    if (clicked && !selected) requests.emplace_back(workbench::Command{workbench::SelectModel{id}});
+  }
+  if (wide) ImGui::EndTable();
+}
+
+}  // namespace trocar::ui

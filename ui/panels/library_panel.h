@@ -1,0 +1,24 @@
+/// The project's demonstrations and models, and what can be done with them.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "ui/panel.h"
+
+namespace trocar::ui {
+
+class LibraryPanel final : public Panel {
+ public:
+  Requests draw(Ui& ui, const WorkbenchState& state) override;
+
+ private:
+  void draw_demonstrations(Ui& ui, const WorkbenchState& state, bool wide, Requests& requests);
+  void draw_models(Ui& ui, const WorkbenchState& state, bool wide, Requests& requests);
+  void remember(const WorkbenchState& state);
+  std::string arrival_of(workbench::ModelId id) const;
+
+  std::map<workbench::ModelId, std::string> arrival_;  ///< Of the models looked at so far.
+};
+
+}  // namespace trocar::ui

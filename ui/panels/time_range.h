@@ -1,0 +1,24 @@
+/// What part of time a timeline shows, and where that is on the screen.
+#pragma once
+
+namespace trocar::ui {
+
+struct TimeRange {
+  double begin_s = 0.0;
+  double end_s = 1.0;
+
+  double span_s() const { return end_s - begin_s; }
+  /// Pixel of a time when the range fills `width` pixels from `x0` on.
+  float x_of(double t_s, float x0, float width) const;
+  double time_at(float x, float x0, float width) const;
+  /// `factor` < 1 shows less; the time at `t_s` stays where it is.
+  void zoom(double t_s, double factor);
+  void pan(double seconds);
+  /// Keeps the range within [0, length] with a margin of 3 %, and not shorter than 50 ms.
+  void keep_within(double length_s);
+};
+
+/// A round distance between marks of a ruler that leaves at least `pixels` between them.
+double ruler_step(const TimeRange& range, float width, float pixels);
+
+}  // namespace trocar::ui

@@ -1,0 +1,30 @@
+/// The 3-D picture: turn, shift and zoom with the mouse, choose a camera; a banner while a transfer is recorded.
+#pragma once
+
+#include <optional>
+
+#include "ui/panel.h"
+
+namespace trocar::ui {
+
+class ViewPanel final : public Panel {
+ public:
+  Requests draw(Ui& ui, const WorkbenchState& state) override;
+
+ private:
+  void follow_size(ImVec2 size, Requests& requests);
+  void take_mouse(Ui& ui, const WorkbenchState& state, bool hovered, Requests& requests);
+  void draw_picture(Ui& ui, const WorkbenchState& state, const Rect& rect) const;
+  void draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests);
+
+  int asked_width_ = 0;
+  int asked_height_ = 0;
+  int wanted_width_ = 0;
+  int wanted_height_ = 0;
+  int steady_frames_ = 0;
+};
+
+/// The orbit that shows what a preset camera shows, so that turning goes on from there.
+scene::OrbitCamera orbit_of(const scene::Camera& camera);
+
+}  // namespace trocar::ui

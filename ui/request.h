@@ -1,0 +1,41 @@
+/// What a panel asks for: commands of the workbench, or acts of the window itself.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "engine/workbench/command.h"
+#include "ui/tile_tree.h"
+
+namespace trocar::ui {
+
+enum class UiAction {
+  kNewProject,
+  kOpenProject,
+  kQuit,
+  kShowRecord,
+  kShowExportVideo,
+  kShowExportField,
+  kShowPalette,
+  kShowShortcuts,
+  kShowAbout,
+  kScaleUp,
+  kScaleDown,
+  kScaleReset,
+  kSwitchTheme,
+  kResetLayout,
+  kMaximise,
+  kCopyCommand,
+};
+/// Brings a panel to the front of its tile.
+struct ShowPanel {
+  PanelId panel = PanelId::kLibrary;
+};
+struct ShowWorkspace {
+  Workspace workspace = Workspace::kAuthor;
+};
+
+using Request = std::variant<workbench::Command, UiAction, ShowPanel, ShowWorkspace>;
+using Requests = std::vector<Request>;
+
+}  // namespace trocar::ui

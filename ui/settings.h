@@ -1,0 +1,37 @@
+/// What the window remembers between runs; nothing of it belongs to a project.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "ui/tile_tree.h"
+#include "ui/window/window.h"
+
+namespace trocar::ui {
+
+struct Settings {
+  float scale = 0.0F;  ///< 0.75 … 3; 0: as the screen asks.
+  bool dark = true;
+  Workspace workspace = Workspace::kAuthor;
+  std::array<Tile, kWorkspaceCount> layouts{default_layout(Workspace::kLibrary), default_layout(Workspace::kAuthor),
+                                            default_layout(Workspace::kFields), default_layout(Workspace::kRollouts)};
+  WindowSize window;
+  std::vector<std::string> recent;  ///< Projects, newest first, at most 8.
+
+  Tile& layout() { return layouts[static_cast<std::size_t>(workspace)]; }
+};
+
+/// $XDG_CONFIG_HOME/trocar/workbench.json, else ~/.config/…
+std::filesystem::path settings_path();
+/// Anything missing or odd keeps its default. Errors: kCorrupt if the text is not a JSON object.
+Result<Settings> settings_from_json(std::string_view text);
+std::string to_json(const Settings& settings);
+/// The defaults where there is no file or it is broken.
+Settings load_settings(const std::filesystem::path& path);
+Status save_settings(const Settings& settings, const std::filesystem::path& path);
+void add_recent(Settings& settings, const std::filesystem::path& project);
+
+}  // namespace trocar::ui

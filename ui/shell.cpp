@@ -1,0 +1,267 @@
+#include "ui/shell.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/command_table.h"
+#include "ui/command_text.h"
+#include "ui/icons.h"
+#include "ui/panels/common.h"
+
+namespace trocar::ui {
+namespace {
+
+constexpr std::array<float, 9> kScales{0.75F, 0.9F, 1.0F, 1.1F, 1.25F, 1.5F, 2.0F, 2.5F, 3.0F};
+
+float next_scale(float now, bool up) {
+  if (up) {
+    const auto* next = std::upper_bound(kScales.begin(), kScales.end(), now + 0.01F);
+    return next == kScales.end() ? kScales.back() : *next;
+  }
+  const auto* here = std::lower_bound(kScales.begin(), kScales.end(), now - 0.01F);
+  return here == kScales.begin() ? kScales.front() : *(here - 1);
+}
+
+// The picture goes to the edge of its tile; everything else has a margin.
+bool has_margin(PanelId panel) {
+  return panel != PanelId::kView;
+}
+
+}  // namespace
+
+float effective_scale(const Settings& settings, float content_scale) {
+  return std::clamp(settings.scale > 0.0F ? settings.scale : content_scale, 0.75F, 3.0F);
+}
+
+Shell::Shell(Settings& settings) : settings_(settings) {
+  for (std::size_t i = 0; i < kPanelCount; ++i) panels_[i] = make_panel(static_cast<PanelId>(i));
+}
+
+void Shell::draw_tabs(Ui& ui, Tile& tile, const Rect& rect) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(ui.theme().header));
+  const Scope scope(ui, "Tabs");
+  float x = rect.x0;
+  for (int i = 0; i < static_cast<int>(tile.panels.size()); ++i) {
+    const PanelId panel = tile.panels[static_cast<std::size_t>(i)];
+    const bool active = i == tile.active;
+    const std::string words = std::string(icon_of(panel)) + "  " + std::string(title(panel));
+    const float width = ImGui::CalcTextSize(words.c_str()).x + ui.px(22);
+    ImGui::SetCursorScreenPos({x, rect.y0});
+    if (ImGui::InvisibleButton(std::string(title(panel)).c_str(), {width, rect.height()})) tile.active = i;
+    const bool hovered = ImGui::IsItemHovered();
+    note_item(ui, "tab", title(panel), active ? "on" : "off", {});
+    if (active) {
+      list.AddRectFilled({x, rect.y0}, {x + width, rect.y1}, to_u32(ui.theme().panel));
+      list.AddRectFilled({x, rect.y0}, {x + width, rect.y0 + ui.px(2)}, to_u32(ui.theme().accent));
+    }
+    const Rgba colour = active || hovered ? ui.theme().text : ui.theme().text_dim;
+    const float y = std::round(rect.centre_y() - 0.5F * ImGui::GetFontSize());
+    list.AddText({x + ui.px(11), y}, to_u32(colour), words.c_str());
+    x += width;
+  }
+}
+
+void Shell::draw_tile(Ui& ui, const WorkbenchState& state, const PlacedTile& placed, Requests& requests) {
+  Tile& tile = *placed.tile;
+  const PanelId panel = tile.panels[static_cast<std::size_t>(tile.active)];
+  const Rect& rect = placed.rect;
+  const float strip = ui.px(30);
+  draw_tabs(ui, tile, {rect.x0, rect.y0, rect.x1, rect.y0 + strip});
+  ImGui::SetCursorScreenPos({rect.x0, rect.y0 + strip});
+  const ImVec2 margin = has_margin(panel) ? ImVec2{ui.px(12), ui.px(10)} : ImVec2{0.0F, 0.0F};
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, margin);
+  ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 0.0F);
+  const ColourScope ground(ImGuiCol_ChildBg, ui.theme().panel);
+  const ImGuiWindowFlags flags =
+      ImGuiWindowFlags_AlwaysUseWindowPadding |
+      (has_margin(panel) ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::BeginChild(std::string(title(panel)).c_str(), {rect.width(), rect.height() - strip}, false, flags);
+  ImGui::PopStyleVar(2);
+  {
+    const Scope scope(ui, title(panel));
+    append(requests, panels_[static_cast<std::size_t>(panel)]->draw(ui, state));
+  }
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (rect.contains(mouse.x, mouse.y)) pointed_ = panel;
+  ImGui::EndChild();
+}
+
+void Shell::draw_tiles(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests) {
+  const float gap = ui.px(4);
+  Tile single;
+  if (maximised_) {
+    single.panels = {*maximised_};
+    draw_tile(ui, state, {&single, rect}, requests);
+    return;
+  }
+  const Placement placement = place(settings_.layout(), rect, gap);
+  for (std::size_t i = 0; i < placement.tiles.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    draw_tile(ui, state, placement.tiles[i], requests);
+    ImGui::PopID();
+  }
+  const Scope scope(ui, "Splitters");
+  for (std::size_t i = 0; i < placement.splitters.size(); ++i) {
+    const PlacedSplitter& bar = placement.splitters[i];
+    float position = bar.vertical ? bar.rect.centre_x() : bar.rect.centre_y();
+    bool share = false;
+    // Wider than it looks, so that it can be caught.
+    Rect grip = bar.rect;
+    (bar.vertical ? grip.x0 : grip.y0) -= ui.px(2);
+    (bar.vertical ? grip.x1 : grip.y1) += ui.px(2);
+    if (splitter(ui, std::to_string(i + 1), bar.vertical, grip, position, share)) {
+      move_splitter(bar, position, bar.vertical ? ui.px(220) : ui.px(110));
+    }
+    if (share) equalise(bar);
+  }
+}
+
+Requests Shell::draw_host(Ui& ui, const WorkbenchState& state, double frames_hz) {
+  Requests requests;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.0F, 0.0F});
+  ImGui::SetNextWindowSize(screen);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      {ui.px(10), 0.5F * (menu_bar_height(ui) - ui.fonts().body->FontSize)});
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                      ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoBackground |
+                                      ImGuiWindowFlags_NoScrollWithMouse;
+  ImGui::Begin("Trocar", nullptr, kFlags);
+  ImGui::PopStyleVar();
+  append(requests, draw_menu_bar(ui, state, settings_, frames_hz));
+  ImGui::PopStyleVar(3);
+  const float top = menu_bar_height(ui);
+  const float bar = tool_bar_height(ui);
+  const float status = status_line_height(ui);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({0.0F, top}, {screen.x, top + bar - ui.px(4)}, to_u32(ui.theme().panel));
+  ImGui::SetCursorScreenPos({0.0F, top - ui.px(2)});
+  append(requests, draw_tool_bar(ui, state));
+  draw_tiles(ui, state, {0.0F, top + bar, screen.x, screen.y - status}, requests);
+  ImGui::SetCursorScreenPos({0.0F, screen.y - status});
+  append(requests, draw_status_line(ui, state, status_));
+  ImGui::End();
+  return requests;
+}
+
+Requests Shell::draw_forms(Ui& ui, const WorkbenchState& state) {
+  Requests requests;
+  for (Form* form : std::initializer_list<Form*>{&record_, &file_, &video_, &field_, &shortcuts_, &about_}) {
+    append(requests, form->draw(ui, state));
+  }
+  append(requests, palette_.draw(ui, state));
+  return requests;
+}
+
+bool Shell::form_open() const {
+  return record_.is_open() || file_.is_open() || video_.is_open() || field_.is_open() || shortcuts_.is_open() ||
+         about_.is_open() || palette_.is_open();
+}
+
+Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
+  Requests requests;
+  const bool typing = ImGui::GetIO().WantTextInput;
+  for (const CommandRow& row : command_table()) {
+    for (const std::string_view keys : row.keys) {
+      const Result<Chord> chord = chord_from(keys);
+      if (!chord || !pressed(ui.input(), *chord)) continue;
+      // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.
+      const bool plain = !chord->modifiers.control && !chord->modifiers.alt;
+      if ((typing || form_open()) && (plain || typing)) continue;
+      if (row.reason_now(state).empty()) append(requests, row.run(state));
+    }
+  }
+  return requests;
+}
+
+void Shell::act(UiAction action, const Ui& ui, ShellResult& result) {
+  switch (action) {
+    case UiAction::kNewProject:
+      file_.open_new();
+      break;
+    case UiAction::kOpenProject:
+      file_.open_existing();
+      break;
+    case UiAction::kQuit:
+      result.quit = true;
+      break;
+    case UiAction::kShowRecord:
+      record_.open();
+      break;
+    case UiAction::kShowExportVideo:
+      video_.open();
+      break;
+    case UiAction::kShowExportField:
+      field_.open();
+      break;
+    case UiAction::kShowPalette:
+      palette_.open();
+      break;
+    case UiAction::kShowShortcuts:
+      shortcuts_.open();
+      break;
+    case UiAction::kShowAbout:
+      about_.open();
+      break;
+    case UiAction::kScaleUp:
+      settings_.scale = next_scale(ui.scale(), true);
+      break;
+    case UiAction::kScaleDown:
+      settings_.scale = next_scale(ui.scale(), false);
+      break;
+    case UiAction::kScaleReset:
+      settings_.scale = 1.0F;
+      break;
+    case UiAction::kSwitchTheme:
+      settings_.dark = !settings_.dark;
+      break;
+    case UiAction::kResetLayout:
+      settings_.layout() = default_layout(settings_.workspace);
+      break;
+    case UiAction::kMaximise:
+      maximised_ = maximised_ ? std::nullopt : std::optional(pointed_);
+      break;
+    case UiAction::kCopyCommand:
+      result.clipboard = status_.last_command;
+      break;
+  }
+  result.restyle = true;
+}
+
+void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState& state, ShellResult& result) {
+  for (const Request& request : requests) {
+    if (const auto* asked = std::get_if<workbench::Command>(&request)) {
+      if (std::string words = command_text(*asked, state); !words.empty()) status_.last_command = std::move(words);
+      if (const auto* open = std::get_if<workbench::OpenProject>(asked)) add_recent(settings_, open->path);
+      result.commands.push_back(*asked);
+    } else if (const auto* action = std::get_if<UiAction>(&request)) {
+      act(*action, ui, result);
+    } else if (const auto* panel = std::get_if<ShowPanel>(&request)) {
+      maximised_.reset();
+      Tile* tile = find_panel(settings_.layout(), panel->panel);
+      if (tile == nullptr) continue;
+      const auto at = std::find(tile->panels.begin(), tile->panels.end(), panel->panel);
+      tile->active = static_cast<int>(at - tile->panels.begin());
+    } else if (const auto* workspace = std::get_if<ShowWorkspace>(&request)) {
+      maximised_.reset();
+      settings_.workspace = workspace->workspace;
+    }
+  }
+}
+
+ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz) {
+  status_.hint = ui.hint();
+  Requests requests = take_keys(ui, state);
+  append(requests, draw_host(ui, state, frames_hz));
+  append(requests, draw_forms(ui, state));
+  ShellResult result;
+  resolve(requests, ui, state, result);
+  return result;
+}
+
+}  // namespace trocar::ui

@@ -1,0 +1,67 @@
+/// The whole window: bars, tiles with their panels, forms, palette and keys. It turns acts into commands.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/bars.h"
+#include "ui/forms/export_forms.h"
+#include "ui/forms/file_form.h"
+#include "ui/forms/help_forms.h"
+#include "ui/forms/record_form.h"
+#include "ui/palette.h"
+#include "ui/panel.h"
+#include "ui/settings.h"
+
+namespace trocar::ui {
+
+/// What one frame asked for beyond the workbench.
+struct ShellResult {
+  std::vector<workbench::Command> commands;
+  bool quit = false;
+  bool restyle = false;                  ///< Theme or scale changed in the settings.
+  std::optional<std::string> clipboard;  ///< To be copied.
+};
+
+/// Threads: that of the window.
+class Shell {
+ public:
+  explicit Shell(Settings& settings);
+
+  /// Draws one frame between ImGui's NewFrame and Render.
+  ShellResult draw(Ui& ui, const WorkbenchState& state, double frames_hz);
+  /// Of the last command that has a text, for the status line.
+  const std::string& last_command() const { return status_.last_command; }
+
+ private:
+  Requests draw_host(Ui& ui, const WorkbenchState& state, double frames_hz);
+  void draw_tiles(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests);
+  void draw_tile(Ui& ui, const WorkbenchState& state, const PlacedTile& placed, Requests& requests);
+  void draw_tabs(Ui& ui, Tile& tile, const Rect& rect);
+  Requests draw_forms(Ui& ui, const WorkbenchState& state);
+  Requests take_keys(Ui& ui, const WorkbenchState& state) const;
+  void act(UiAction action, const Ui& ui, ShellResult& result);
+  void resolve(const Requests& requests, const Ui& ui, const WorkbenchState& state, ShellResult& result);
+  bool form_open() const;
+
+  Settings& settings_;
+  std::array<std::unique_ptr<Panel>, kPanelCount> panels_;
+  RecordForm record_;
+  FileForm file_;
+  VideoForm video_;
+  FieldForm field_;
+  ShortcutForm shortcuts_;
+  AboutForm about_;
+  Palette palette_;
+  StatusLine status_;
+  std::optional<PanelId> maximised_;
+  PanelId pointed_ = PanelId::kView;  ///< Under the mouse.
+};
+
+/// The scale in use: the settings' own, or the screen's.
+float effective_scale(const Settings& settings, float content_scale);
+
+}  // namespace trocar::ui

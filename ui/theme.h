@@ -1,0 +1,54 @@
+/// Colours, spacing and shapes of the window: one dark and one light theme, one accent.
+#pragma once
+
+#include <imgui.h>
+
+#include "engine/core/image.h"
+#include "engine/demonstration/recording.h"
+
+namespace trocar::ui {
+
+/// Every colour that a panel may use. Text on its ground has a contrast of at least 4.5:1 (a unit test measures it).
+struct Theme {
+  bool dark = true;
+  Rgba ground;         ///< Between the tiles.
+  Rgba panel;          ///< Of a tile.
+  Rgba header;         ///< Strip of tabs, table heads, menu bar.
+  Rgba raised;         ///< Fields and quiet buttons.
+  Rgba hover;          ///< Raised under the pointer.
+  Rgba pressed;        ///< Raised while pressed.
+  Rgba line;           ///< Thin borders and dividers.
+  Rgba text;           ///< What is read.
+  Rgba text_dim;       ///< What explains.
+  Rgba text_disabled;  ///< What cannot be used now.
+  Rgba accent;         ///< Selection, playhead, focus.
+  Rgba accent_fill;    ///< Ground of the one main button; carries `on_accent`.
+  Rgba accent_hover;
+  Rgba on_accent;
+  Rgba selection;  ///< Ground of the selected row.
+  Rgba good;
+  Rgba warning;
+  Rgba danger;
+  Rgba danger_fill;  ///< Ground of the recording banner; carries `on_accent`.
+};
+
+Theme dark_theme();
+Theme light_theme();
+
+/// A colour for a segment; always shown together with its letter.
+Rgba segment_colour(demonstration::Segment segment);
+Rgba authority_colour(demonstration::Authority authority);
+
+ImU32 to_u32(Rgba colour);
+/// With its opacity multiplied by `alpha` (0 … 1).
+ImU32 to_u32(Rgba colour, float alpha);
+ImVec4 to_vec4(Rgba colour);
+/// From `a` (0) to `b` (1), opacity included.
+Rgba mix(Rgba a, Rgba b, float t);
+/// Of WCAG 2.1: 1 … 21.
+double contrast(Rgba a, Rgba b);
+
+/// Fills ImGui's style for a theme at `scale` (1 is 100 %).
+void apply(const Theme& theme, float scale, ImGuiStyle& style);
+
+}  // namespace trocar::ui

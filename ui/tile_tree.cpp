@@ -1,0 +1,199 @@
+#include "ui/tile_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
+
+#include "ui/icons.h"
+
+namespace trocar::ui {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::array<std::string_view, kPanelCount> kTitles{"Library", "View",      "Timeline", "Fields", "Rollouts",
+                                                            "Train",   "Inspector", "History",  "Jobs",   "Log"};
+constexpr std::array<const char*, kPanelCount> kIcons{icon::kTable, icon::kCube,  icon::kSliders, icon::kThLarge,
+                                                      icon::kRoad,  icon::kTrain, icon::kInfo,    icon::kHistory,
+                                                      icon::kTasks, icon::kList};
+constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceTitles{"Library", "Author", "Fields", "Rollouts"};
+
+Tile tabs(std::vector<PanelId> panels) {
+  Tile tile;
+  tile.panels = std::move(panels);
+  return tile;
+}
+
+Tile split(Tile::Kind kind, std::vector<float> shares, std::vector<Tile> children) {
+  Tile tile;
+  tile.kind = kind;
+  tile.shares = std::move(shares);
+  tile.children = std::move(children);
+  return tile;
+}
+
+void place_into(Tile& tile, const Rect& rect, float gap, Placement& out) {
+  if (tile.kind == Tile::Kind::kTabs) {
+    out.tiles.push_back({&tile, rect});
+    return;
+  }
+  const bool row = tile.kind == Tile::Kind::kRow;
+  const auto count = tile.children.size();
+  const float room = (row ? rect.width() : rect.height()) - gap * static_cast<float>(count - 1);
+  std::vector<float> edges{row ? rect.x0 : rect.y0};
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool last = i + 1 == count;
+    const float end = last ? (row ? rect.x1 : rect.y1) : std::round(edges.back() + room * tile.shares[i]);
+    const Rect child = row ? Rect{edges.back(), rect.y0, end, rect.y1} : Rect{rect.x0, edges.back(), rect.x1, end};
+    place_into(tile.children[i], child, gap, out);
+    edges.push_back(end + gap);
+  }
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const float low = edges[i + 1] - gap;
+    const Rect bar = row ? Rect{low, rect.y0, low + gap, rect.y1} : Rect{rect.x0, low, rect.x1, low + gap};
+    out.splitters.push_back({&tile, static_cast<int>(i), row, bar, edges[i], edges[i + 2] - gap});
+  }
+}
+
+Json json_of(const Tile& tile) {
+  if (tile.kind == Tile::Kind::kTabs) {
+    Json names = Json::array();
+    for (const PanelId panel : tile.panels) names.push_back(std::string(title(panel)));
+    return {{"tabs", names}, {"active", tile.active}};
+  }
+  Json children = Json::array();
+  for (const Tile& child : tile.children) children.push_back(json_of(child));
+  return {{tile.kind == Tile::Kind::kRow ? "row" : "column", children}, {"shares", tile.shares}};
+}
+
+tl::unexpected<Error> no_layout(const std::string& why) {
+  return fail(ErrorCode::kCorrupt, "the layout is broken: " + why);
+}
+
+Result<Tile> tabs_of(const Json& json, std::set<PanelId>& seen) {
+  Tile tile;
+  if (!json["tabs"].is_array() || json["tabs"].empty()) return no_layout("a tab group is empty");
+  for (const Json& name : json["tabs"]) {
+    const auto* found =
+        name.is_string() ? std::find(kTitles.begin(), kTitles.end(), name.get<std::string>()) : kTitles.end();
+    if (found == kTitles.end()) return no_layout("an unknown panel");
+    const auto panel = static_cast<PanelId>(found - kTitles.begin());
+    if (!seen.insert(panel).second) return no_layout("a panel twice");
+    tile.panels.push_back(panel);
+  }
+  if (json.contains("active") && json["active"].is_number_integer()) tile.active = json["active"].get<int>();
+  tile.active = std::clamp(tile.active, 0, static_cast<int>(tile.panels.size()) - 1);
+  return tile;
+}
+
+Result<Tile> tile_of(const Json& json, std::set<PanelId>& seen, int depth) {
+  if (!json.is_object() || depth > 16) return no_layout("no object, or too deep");
+  if (json.contains("tabs")) return tabs_of(json, seen);
+  const bool row = json.contains("row");
+  if (!row && !json.contains("column")) return no_layout("neither row, column nor tabs");
+  const Json& children = row ? json["row"] : json["column"];
+  if (!children.is_array() || children.empty() || !json.contains("shares")) return no_layout("no children or shares");
+  const Json& shares = json["shares"];
+  if (!shares.is_array() || shares.size() != children.size()) return no_layout("shares do not fit the children");
+  Tile tile;
+  tile.kind = row ? Tile::Kind::kRow : Tile::Kind::kColumn;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    if (!shares[i].is_number()) return no_layout("a share is no number");
+    const float share = shares[i].get<float>();
+    if (!(share > 0.0F) || share > 1.0F) return no_layout("a share is not between 0 and 1");
+    tile.shares.push_back(share);
+    TROCAR_ASSIGN_OR_RETURN(Tile child, tile_of(children[i], seen, depth + 1));
+    tile.children.push_back(std::move(child));
+  }
+  const float sum = std::accumulate(tile.shares.begin(), tile.shares.end(), 0.0F);
+  for (float& share : tile.shares) share /= sum;
+  return tile;
+}
+
+}  // namespace
+
+std::string_view title(PanelId panel) {
+  return kTitles[static_cast<std::size_t>(panel)];
+}
+
+const char* icon_of(PanelId panel) {
+  return kIcons[static_cast<std::size_t>(panel)];
+}
+
+std::string_view title(Workspace workspace) {
+  return kWorkspaceTitles[static_cast<std::size_t>(workspace)];
+}
+
+Placement place(Tile& root, const Rect& rect, float gap) {
+  Placement placement;
+  place_into(root, rect, gap, placement);
+  return placement;
+}
+
+void move_splitter(const PlacedSplitter& splitter, float position, float smallest) {
+  const float room = splitter.end - splitter.begin;
+  if (room <= 2.0F * smallest) return;
+  const float at = std::clamp(position - splitter.begin, smallest, room - smallest) / room;
+  float& first = splitter.parent->shares[static_cast<std::size_t>(splitter.index)];
+  float& second = splitter.parent->shares[static_cast<std::size_t>(splitter.index) + 1];
+  const float both = first + second;
+  first = both * at;
+  second = both - first;
+}
+
+void equalise(const PlacedSplitter& splitter) {
+  std::vector<float>& shares = splitter.parent->shares;
+  std::fill(shares.begin(), shares.end(), 1.0F / static_cast<float>(shares.size()));
+}
+
+Tile* find_panel(Tile& root, PanelId panel) {
+  if (std::find(root.panels.begin(), root.panels.end(), panel) != root.panels.end()) return &root;
+  for (Tile& child : root.children) {
+    if (Tile* found = find_panel(child, panel)) return found;
+  }
+  return nullptr;
+}
+
+Tile default_layout(Workspace workspace) {
+  using enum PanelId;
+  constexpr auto row = Tile::Kind::kRow;
+  constexpr auto column = Tile::Kind::kColumn;
+  switch (workspace) {
+    case Workspace::kLibrary:
+      return split(
+          row, {0.52F, 0.48F},
+          {split(column, {0.72F, 0.28F}, {tabs({kLibrary}), tabs({kHistory, kJobs, kLog})}),
+           split(column, {0.52F, 0.48F}, {tabs({kView}), tabs({kInspector, kTrain, kTimeline, kFields, kRollouts})})});
+    case Workspace::kAuthor:
+      return split(row, {0.245F, 0.515F, 0.24F},
+                   {split(column, {0.64F, 0.36F}, {tabs({kLibrary}), tabs({kHistory, kJobs, kLog})}),
+                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline})}),
+                    tabs({kInspector, kTrain, kFields, kRollouts})});
+    case Workspace::kFields:
+      return split(row, {0.235F, 0.405F, 0.36F},
+                   {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kTrain, kInspector, kHistory, kJobs, kLog})}),
+                    split(column, {0.68F, 0.32F}, {tabs({kView}), tabs({kTimeline})}), tabs({kFields, kRollouts})});
+    case Workspace::kRollouts:
+      return split(row, {0.235F, 0.385F, 0.38F},
+                   {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kTrain, kInspector, kHistory, kJobs, kLog})}),
+                    split(column, {0.68F, 0.32F}, {tabs({kView}), tabs({kTimeline})}), tabs({kRollouts, kFields})});
+  }
+  return tabs({kView});
+}
+
+std::string to_json(const Tile& root) {
+  return json_of(root).dump();
+}
+
+Result<Tile> tile_from_json(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) return no_layout("it is not JSON");
+  std::set<PanelId> seen;
+  TROCAR_ASSIGN_OR_RETURN(Tile root, tile_of(json, seen, 0));
+  if (seen.size() != kPanelCount) return no_layout("a panel is missing");
+  return root;
+}
+
+}  // namespace trocar::ui

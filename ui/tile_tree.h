@@ -1,0 +1,78 @@
+/// The layout of a workspace: a tree of rows, columns and tab groups that fills the window without gaps.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "ui/widgets/item_log.h"
+
+namespace trocar::ui {
+
+enum class PanelId : std::uint8_t {
+  kLibrary,
+  kView,
+  kTimeline,
+  kFields,
+  kRollouts,
+  kTrain,
+  kInspector,
+  kHistory,
+  kJobs,
+  kLog,
+};
+constexpr std::size_t kPanelCount = 10;
+/// "Library", as on its tab.
+std::string_view title(PanelId panel);
+const char* icon_of(PanelId panel);
+
+/// The jobs of a day; each has a layout of its own.
+enum class Workspace : std::uint8_t { kLibrary, kAuthor, kFields, kRollouts };
+constexpr std::size_t kWorkspaceCount = 4;
+std::string_view title(Workspace workspace);
+
+struct Tile {
+  enum class Kind : std::uint8_t { kRow, kColumn, kTabs };
+  Kind kind = Kind::kTabs;
+  std::vector<Tile> children;   ///< Of a row (left to right) or a column (top to bottom).
+  std::vector<float> shares;    ///< One for each child, their sum is 1.
+  std::vector<PanelId> panels;  ///< Of a tab group.
+  int active = 0;               ///< The panel in front.
+};
+
+struct PlacedTile {
+  Tile* tile = nullptr;
+  Rect rect;
+};
+struct PlacedSplitter {
+  Tile* parent = nullptr;
+  int index = 0;  ///< Between children `index` and `index` + 1.
+  bool vertical = true;
+  Rect rect;
+  float begin = 0.0F;  ///< Where the two children begin and end, pixels.
+  float end = 0.0F;
+};
+struct Placement {
+  std::vector<PlacedTile> tiles;
+  std::vector<PlacedSplitter> splitters;
+};
+
+/// Where everything lies when the tree fills `rect`, `gap` pixels apart. Pointers are into `root`.
+Placement place(Tile& root, const Rect& rect, float gap);
+/// Moves a splitter to `position`; both neighbours keep at least `smallest` pixels.
+void move_splitter(const PlacedSplitter& splitter, float position, float smallest);
+/// Gives all children of the splitter's parent the same share.
+void equalise(const PlacedSplitter& splitter);
+
+/// The tab group that holds a panel; null if none.
+Tile* find_panel(Tile& root, PanelId panel);
+Tile default_layout(Workspace workspace);
+
+std::string to_json(const Tile& root);
+/// Errors: kCorrupt for what is no layout: an unknown panel, one twice, shares that do not fit.
+Result<Tile> tile_from_json(std::string_view text);
+
+}  // namespace trocar::ui

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <string>
+
+#include "ui/widgets/widgets.h"
+
+namespace trocar::ui {
+namespace {
+
+struct ButtonColours {
+  Rgba ground;
+  Rgba hover;
+  Rgba pressed;
+  Rgba words;
+};
+
+ButtonColours colours_of(const Ui& ui, ButtonStyle style, bool enabled) {
+  const Theme& theme = ui.theme();
+  const Rgba clear{theme.raised.r, theme.raised.g, theme.raised.b, 0};
+  ButtonColours colours{theme.raised, theme.hover, theme.pressed, theme.text};
+  if (style == ButtonStyle::kQuiet) colours.ground = clear;
+  if (style == ButtonStyle::kPrimary) {
+    colours = {theme.accent_fill, theme.accent_hover, theme.accent_fill, theme.on_accent};
+  }
+  if (style == ButtonStyle::kDanger) {
+    colours = {theme.danger_fill, mix(theme.danger_fill, theme.on_accent, 0.1F), theme.danger_fill, theme.on_accent};
+  }
+  if (!enabled) {
+    const Rgba ground = style == ButtonStyle::kQuiet ? clear : mix(theme.panel, theme.raised, 0.6F);
+    colours = {ground, ground, ground, theme.text_disabled};
+  }
+  return colours;
+}
+
+// `words` is what is drawn; the id comes from the label, so that a changing icon keeps it.
+bool draw_button(Ui& ui, std::string_view label, const std::string& words, const WidgetOptions& options) {
+  const bool enabled = options.reason.empty();
+  const ButtonColours colours = colours_of(ui, options.style, enabled);
+  const ColourScope ground(ImGuiCol_Button, colours.ground);
+  const ColourScope hover(ImGuiCol_ButtonHovered, colours.hover);
+  const ColourScope pressed(ImGuiCol_ButtonActive, colours.pressed);
+  const ColourScope text_colour(ImGuiCol_Text, colours.words);
+  if (!enabled) ImGui::BeginDisabled();
+  const std::string id = words + "###" + std::string(label);
+  const bool clicked = ImGui::Button(id.c_str(), {options.width, 0.0F});
+  if (!enabled) ImGui::EndDisabled();
+  return clicked;
+}
+
+std::string words_of(std::string_view label, const WidgetOptions& options) {
+  if (options.icon == nullptr) return std::string(label);
+  return std::string(options.icon) + "  " + std::string(label);
+}
+
+void note_fit(Ui& ui, const std::string& words, float padding) {
+  ui.items().note_text(ImGui::CalcTextSize(words.c_str()).x, padding);
+}
+
+}  // namespace
+
+bool button(Ui& ui, std::string_view label, const WidgetOptions& options) {
+  const std::string words = words_of(label, options);
+  const bool clicked = draw_button(ui, label, words, options);
+  note_item(ui, "button", label, "", options);
+  note_fit(ui, words, 2.0F * ui.px(4));
+  return clicked;
+}
+
+bool icon_button(Ui& ui, std::string_view label, const WidgetOptions& options) {
+  WidgetOptions square = options;
+  if (square.width == 0.0F) square.width = ImGui::GetFrameHeight() + ui.px(4);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, ImGui::GetStyle().FramePadding.y});
+  const bool clicked = draw_button(ui, label, square.icon, square);
+  ImGui::PopStyleVar();
+  if (square.help.empty()) square.help = label;
+  note_item(ui, "button", label, "", square);
+  return clicked;
+}
+
+bool toggle(Ui& ui, std::string_view label, bool on, const WidgetOptions& options) {
+  const Theme& theme = ui.theme();
+  const bool enabled = options.reason.empty();
+  const Rgba ground = on ? theme.selection : Rgba{theme.raised.r, theme.raised.g, theme.raised.b, 0};
+  const ColourScope a(ImGuiCol_Button, ground);
+  const ColourScope b(ImGuiCol_ButtonHovered, on ? theme.selection : theme.hover);
+  const ColourScope c(ImGuiCol_ButtonActive, theme.selection);
+  const ColourScope d(ImGuiCol_Text, !enabled ? theme.text_disabled : on ? theme.text : theme.text_dim);
+  const std::string words = words_of(label, options);
+  if (!enabled) ImGui::BeginDisabled();
+  const bool clicked = ImGui::Button((words + "###" + std::string(label)).c_str(), {options.width, 0.0F});
+  if (!enabled) ImGui::EndDisabled();
+  note_item(ui, "toggle", label, on ? "on" : "off", options);
+  note_fit(ui, words, 2.0F * ui.px(4));
+  return clicked;
+}
+
+bool checkbox(Ui& ui, std::string_view label, bool& on, const WidgetOptions& options) {
+  const bool enabled = options.reason.empty();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(3), ui.px(3)});
+  const ColourScope words(ImGuiCol_Text, enabled ? ui.theme().text : ui.theme().text_disabled);
+  if (!enabled) ImGui::BeginDisabled();
+  const bool changed = ImGui::Checkbox(std::string(label).c_str(), &on);
+  if (!enabled) ImGui::EndDisabled();
+  ImGui::PopStyleVar();
+  note_item(ui, "checkbox", label, on ? "on" : "off", options);
+  return changed;
+}
+
+bool segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std::string> names,
+               const WidgetOptions& options) {
+  const Scope scope(ui, label);
+  const float gap = ui.px(2);
+  const float width = (options.width > 0.0F ? options.width : ImGui::GetContentRegionAvail().x);
+  const auto count = static_cast<float>(names.size());
+  const float each = (width - gap * (count - 1.0F)) / count;
+  bool changed = false;
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    const bool on = i == chosen;
+    const ColourScope a(ImGuiCol_Button, on ? ui.theme().accent_fill : ui.theme().raised);
+    const ColourScope b(ImGuiCol_ButtonHovered, on ? ui.theme().accent_hover : ui.theme().hover);
+    const ColourScope c(ImGuiCol_Text, on ? ui.theme().on_accent : ui.theme().text);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(2), ImGui::GetStyle().FramePadding.y});
+    const std::string& name = names[static_cast<std::size_t>(i)];
+    if (ImGui::Button(name.c_str(), {each, 0.0F}) && !on) {
+      chosen = i;
+      changed = true;
+    }
+    ImGui::PopStyleVar();
+    note_item(ui, "toggle", name, on ? "on" : "off", options);
+    note_fit(ui, name, ui.px(2));
+    if (i + 1 < static_cast<int>(names.size())) ImGui::SameLine(0.0F, gap);
+  }
+  return changed;
+}
+
+}  // namespace trocar::ui

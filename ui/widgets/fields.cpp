@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <string>
+
+#include "ui/widgets/widgets.h"
+
+namespace trocar::ui {
+namespace {
+
+std::string hidden_id(std::string_view label) {
+  return "##" + std::string(label);
+}
+
+void begin_field(Ui& ui, const WidgetOptions& options) {
+  ImGui::SetNextItemWidth(options.width == 0.0F ? -1.0F : options.width);
+  ImGui::PushStyleColor(ImGuiCol_Text, to_vec4(options.reason.empty() ? ui.theme().text : ui.theme().text_disabled));
+  if (!options.reason.empty()) ImGui::BeginDisabled();
+}
+
+void end_field(const WidgetOptions& options) {
+  if (!options.reason.empty()) ImGui::EndDisabled();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+bool combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::string> names,
+           const WidgetOptions& options) {
+  const bool known = chosen >= 0 && chosen < static_cast<int>(names.size());
+  const std::string shown = known ? names[static_cast<std::size_t>(chosen)] : std::string();
+  begin_field(ui, options);
+  const bool open = ImGui::BeginCombo(hidden_id(label).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
+  end_field(options);
+  const Rect rect = item_rect();
+  bool changed = false;
+  if (open) {
+    const Scope scope(ui, label);
+    for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+      const std::string& name = names[static_cast<std::size_t>(i)];
+      if (ImGui::Selectable(name.c_str(), i == chosen)) {
+        changed = chosen != i;
+        chosen = i;
+      }
+      note_item(ui, "option", name, i == chosen ? "on" : "off", {});
+    }
+    ImGui::EndCombo();
+    note_rect(ui, "combo", label, shown, rect, options);
+  } else {
+    note_item(ui, "combo", label, shown, options);
+    ui.items().note_text(ImGui::CalcTextSize(shown.c_str()).x, ImGui::GetFrameHeight() + ui.px(9));
+  }
+  return changed;
+}
+
+bool slider_int(Ui& ui, std::string_view label, int& value, int low, int high, const char* format,
+                const WidgetOptions& options) {
+  begin_field(ui, options);
+  const bool changed =
+      ImGui::SliderInt(hidden_id(label).c_str(), &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+  end_field(options);
+  note_item(ui, "slider", label, std::to_string(value), options);
+  return changed;
+}
+
+bool slider_float(Ui& ui, std::string_view label, float& value, float low, float high, const char* format,
+                  const WidgetOptions& options) {
+  begin_field(ui, options);
+  const bool changed =
+      ImGui::SliderFloat(hidden_id(label).c_str(), &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+  end_field(options);
+  note_item(ui, "slider", label, fmt::format("{:.3g}", value), options);
+  return changed;
+}
+
+bool number_field(Ui& ui, std::string_view label, std::int64_t& value, std::int64_t low, std::int64_t high,
+                  const WidgetOptions& options) {
+  begin_field(ui, options);
+  const ImGuiID id = ImGui::GetID(hidden_id(label).c_str());
+  ImGui::InputScalar(hidden_id(label).c_str(), ImGuiDataType_S64, &value);
+  const bool finished = ImGui::IsItemDeactivatedAfterEdit();
+  end_field(options);
+  if (finished || ImGui::GetActiveID() != id) value = std::clamp(value, low, high);
+  note_item(ui, "field", label, std::to_string(value), options);
+  return finished;
+}
+
+bool text_field(Ui& ui, std::string_view label, std::string& words, std::string_view hint,
+                const WidgetOptions& options) {
+  begin_field(ui, options);
+  ImGui::PushStyleColor(ImGuiCol_TextDisabled, to_vec4(ui.theme().text_dim));
+  ImGui::InputTextWithHint(hidden_id(label).c_str(), std::string(hint).c_str(), &words);
+  ImGui::PopStyleColor();
+  const bool finished = ImGui::IsItemDeactivatedAfterEdit();
+  end_field(options);
+  note_item(ui, "field", label, words, options);
+  return finished;
+}
+
+}  // namespace trocar::ui

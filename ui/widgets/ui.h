@@ -1,0 +1,92 @@
+/// What every panel draws with: theme, fonts, pictures, the list of items, and the scale.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+
+#include "ui/fonts.h"
+#include "ui/textures.h"
+#include "ui/theme.h"
+#include "ui/widgets/item_log.h"
+#include "ui/window/input.h"
+
+namespace trocar::ui {
+
+/// Lives for the whole session; valid during a frame. Threads: that of the window.
+class Ui {
+ public:
+  Ui(TextureStore& textures, InputQueue& input) : textures_(&textures), input_(&input) {}
+
+  const Theme& theme() const { return theme_; }
+  const Fonts& fonts() const { return fonts_; }
+  TextureStore& textures() const { return *textures_; }
+  const InputQueue& input() const { return *input_; }
+  ItemLog& items() { return items_; }
+  const ItemLog& items() const { return items_; }
+  float scale() const { return fonts_.scale; }
+  /// From pixels at 100 % to pixels now, whole.
+  float px(float at_100) const;
+  double now_s() const { return now_s_; }
+  /// True if something asked for one more frame (a spinner, a hold).
+  bool animating() const { return animating_; }
+  void animate() { animating_ = true; }
+
+  /// A sentence for the status line, set by what was under the pointer in the last frame.
+  const std::string& hint() const { return shown_hint_; }
+  void set_hint(std::string_view text) { hint_ = text; }
+
+  /// True once the pointer has rested on the item at `path` for a moment; call each frame that it is hovered.
+  bool rested_on(std::string_view path);
+
+  void begin_frame(double now_s);
+  void set_theme(const Theme& theme) { theme_ = theme; }
+  void set_fonts(const Fonts& fonts) { fonts_ = fonts; }
+
+ private:
+  Theme theme_ = dark_theme();
+  Fonts fonts_;
+  TextureStore* textures_;
+  InputQueue* input_;
+  ItemLog items_;
+  std::string hint_;
+  std::string shown_hint_;
+  double now_s_ = 0.0;
+  bool animating_ = false;
+  std::string hovered_path_;
+  double hovered_since_s_ = 0.0;
+  bool hovered_now_ = false;
+};
+
+/// Opens a level of the item path and of ImGui's ids until the end of the block.
+class Scope {
+ public:
+  Scope(Ui& ui, std::string_view name);
+  ~Scope();
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+
+ private:
+  Ui& ui_;
+};
+
+/// Uses a font until the end of the block.
+class FontScope {
+ public:
+  explicit FontScope(ImFont* font) { ImGui::PushFont(font); }
+  ~FontScope() { ImGui::PopFont(); }
+  FontScope(const FontScope&) = delete;
+  FontScope& operator=(const FontScope&) = delete;
+};
+
+/// Uses one colour of ImGui's style until the end of the block.
+class ColourScope {
+ public:
+  ColourScope(ImGuiCol slot, Rgba colour) { ImGui::PushStyleColor(slot, to_vec4(colour)); }
+  ~ColourScope() { ImGui::PopStyleColor(); }
+  ColourScope(const ColourScope&) = delete;
+  ColourScope& operator=(const ColourScope&) = delete;
+};
+
+}  // namespace trocar::ui
