@@ -47,11 +47,11 @@ void TrainPanel::draw_choice(Ui& ui, const WorkbenchState& state) {
 void TrainPanel::draw_options(Ui& ui) {
   static const std::vector<std::string> kMethodNames{"eg-maxent", "eg-maxent+", "exact"};
   static const std::vector<std::string> kSegmentNames{"A  approach", "C  transfer"};
-  form_label(ui, "Method");
+  heading(ui, "Method");
   segmented(ui, "Method", method_, kMethodNames, {.help = method_help(method_)});
+  wrapped_text(ui, method_help(method_), ui.theme().text_dim);
   form_label(ui, "Segment");
   segmented(ui, "Segment", segment_, kSegmentNames, {.help = "The agent's segments of the transfer"});
-  small_text(ui, method_help(method_), ui.theme().text_dim);
   const std::string_view sampled = method_ == 2 ? "The exact method does not sample" : "";
   form_label(ui, "ε");
   slider_float(ui, "Epsilon", epsilon_, 0.0F, 0.5F, "%.2f",
