@@ -196,13 +196,13 @@ std::vector<std::string> lost_by_import(const std::vector<const Column*>& order)
   std::vector<std::string> lossy;
   for (const char* arm : {"left", "right"}) {
     if (!has(order, fmt::format("{}_measured_x_m", arm))) {
-      lossy.push_back(fmt::format("no measured pose of the {} arm, its setpoint is used", arm));
+      lossy.push_back(fmt::format("the measured pose of the {} arm (its setpoint stands in)", arm));
     }
-    if (!has(order, fmt::format("{}_joint_1", arm))) lossy.push_back(fmt::format("no joints of the {} arm", arm));
+    if (!has(order, fmt::format("{}_joint_1", arm))) lossy.push_back(fmt::format("the joints of the {} arm", arm));
   }
-  if (!has(order, "block_0_x_m")) lossy.emplace_back("no blocks");
-  if (!has(order, "segment")) lossy.emplace_back("no segments, all is segment A");
-  lossy.emplace_back("no simulated world, so it cannot be replayed");
+  if (!has(order, "block_0_x_m")) lossy.emplace_back("the blocks");
+  if (!has(order, "segment")) lossy.emplace_back("segments (all is labelled A)");
+  lossy.emplace_back("a simulated world (it cannot be replayed)");
   return lossy;
 }
 

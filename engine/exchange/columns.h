@@ -37,7 +37,7 @@ Status sample_from_row(const std::vector<const Column*>& order, const std::vecto
 /// Errors: kInvalidArgument naming an unknown, doubled or missing column.
 Result<std::vector<const Column*>> columns_named(const std::vector<std::string>& names);
 
-/// What an export leaves out, and what an import of `order` has to do without.
+/// What an export leaves out, and what an import of `order` has to do without; each reads on after "without".
 std::vector<std::string> lost_by_export(const demonstration::Demonstration& document);
 std::vector<std::string> lost_by_import(const std::vector<const Column*>& order);
 

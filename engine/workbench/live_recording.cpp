@@ -44,9 +44,13 @@ Status LiveRecording::write(const LiveBatch& batch) {
 }
 
 LiveRecording::End LiveRecording::conclude(const LiveBatch& last) {
+  if (!keep_) {
+    // Left unfinished it would be recovered as if a crash had cut it off.
+    if (Status gone = writer_.discard(); !gone) return {tl::unexpected(std::move(gone).error()), {}};
+    return {fail(ErrorCode::kCancelled, "the recording was discarded"), {}};
+  }
   const Result<demonstration::RecordingId> recording = writer_.finish(last.outcome, last.placed);
   if (!recording) return {tl::unexpected(recording.error()), {}};
-  if (!keep_) return {fail(ErrorCode::kCancelled, "the recording was discarded"), {}};
   const Result<std::int64_t> id = file_.commit(AddDemonstration{*recording, name_});
   if (!id) return {tl::unexpected(id.error()), {}};
   return {DemonstrationId{*id}, fmt::format("Recorded \"{}\": {}{}", name_, demonstration::to_string(last.outcome),

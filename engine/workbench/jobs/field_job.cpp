@@ -7,7 +7,7 @@ namespace trocar::workbench {
 
 Status export_field(const FieldExport& request) {
   const learning::Field field = learning::field(*request.model->model, request.layer);
-  figure::FieldFigureOptions options = figure::suggested_options(field);
+  figure::FieldFigureOptions options = figure::suggested_options(field, *request.model->model);
   if (!request.slice.empty()) {
     TROCAR_ASSIGN_OR_RETURN(options.slice, figure::slice_from(request.slice, field.grid));
   }

@@ -106,7 +106,7 @@ TEST_CASE("time and setpoints are enough, and what is missing is listed") {
   CHECK(read.recording.samples[1].tick == 20);
   CHECK(read.recording.samples[1].arms[1].measured.p[1] == 0.02F);
   CHECK(read.recording.samples[1].arms[1].jaw_rad == 0.5F);
-  CHECK(std::find(read.lossy.begin(), read.lossy.end(), "no blocks") != read.lossy.end());
+  CHECK(std::find(read.lossy.begin(), read.lossy.end(), "the blocks") != read.lossy.end());
 }
 
 TEST_CASE("columns may come in any order") {
