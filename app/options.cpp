@@ -20,6 +20,7 @@ Options::Options() : root_("Teach a surgical robot by demonstration: record, edi
   add_field_commands(root_, chosen_);
   add_view_commands(root_, chosen_);
   add_video_commands(root_, chosen_);
+  add_ui_commands(root_, chosen_);
   add_run_command(root_, chosen_);
   add_doctor_command(root_, chosen_);
 }
