@@ -1,93 +1,282 @@
 #include "engine/workbench/project_file.h"
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
+
+#include "engine/core/file.h"
+#include "engine/store/project_store.h"
+#include "tests/support/project_fixture.h"
 
 namespace fs = std::filesystem;
 using namespace trocar;
 using namespace trocar::workbench;
-using demonstration::Sample;
+using demonstration::LabelSegment;
+using demonstration::Rename;
+using demonstration::Segment;
+using demonstration::Trim;
+using testing::add_demonstration;
+using testing::created;
+using testing::moving_recording;
+using testing::moving_sample;
+using testing::opened;
+using testing::ScratchFolder;
 
 namespace {
 
-/// A folder of this test only, removed with it.
-struct Scratch {
-  Scratch() {
-    static int count = 0;
-    folder = fs::temp_directory_path() /
-             ("trocar_project_test_" + std::to_string(::getpid()) + "_" + std::to_string(++count));
-    fs::create_directories(folder);
-  }
-  ~Scratch() { fs::remove_all(folder); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  fs::path folder;
-};
-
-Sample sample_at(int index) {
-  Sample sample;
-  sample.tick = std::int64_t{index} * demonstration::kTicksPerSample;
-  sample.arms[0].setpoint_p = {0.001 * index, 0.0, 0.03};
-  sample.segment = static_cast<demonstration::Segment>(std::min(index / 40, 4));
-  return sample;
+std::string name_of_only(const ProjectFile& file) {
+  REQUIRE(file.project()->demonstrations.size() == 1);
+  return file.project()->demonstrations.begin()->second->name;
 }
 
-demonstration::Recording recording_of(int samples) {
-  demonstration::Recording recording;
-  recording.provenance.operator_kind = "scripted";
-  recording.initial_world = std::string("world\0bytes", 11);
-  for (int i = 0; i < samples; ++i) recording.samples.push_back(sample_at(i));
-  recording.hashes = {{0, 1}, {995, 0xFFFFFFFFFFFFFFFFULL}};
-  return recording;
-}
-
-std::shared_ptr<const Clock> clock_at_rest() {
-  return std::make_shared<ManualClock>();
-}
-
-ProjectFile reopened(const fs::path& path) {
-  Diagnostics diagnostics;
-  auto file = ProjectFile::open(path, clock_at_rest(), diagnostics);
-  if (!file) FAIL(file.error().text());
-  return std::move(*file);
-}
-
-DemonstrationId add_demonstration(ProjectFile& file, int samples, const std::string& name) {
-  const auto id = file.store_recording(recording_of(samples));
-  REQUIRE(id);
-  const auto node = file.commit(AddDemonstration{*id, name});
-  REQUIRE(node);
-  return {*node};
+std::int64_t rename(ProjectFile& file, DemonstrationId id, const std::string& name) {
+  return file.commit(EditDemonstration{id, Rename{name}}).value();
 }
 
 }  // namespace
 
 TEST_CASE("a demonstration comes back as it was recorded when the project is opened again") {
-  const Scratch scratch;
-  const fs::path path = scratch.folder / "p.trocar";
+  const ScratchFolder folder;
   std::uint64_t hash = 0;
   {
-    ProjectFile file = ProjectFile::create(path, clock_at_rest()).value();
+    ProjectFile file = created(folder / "p.trocar");
     add_demonstration(file, 200, "First");
     hash = file.project()->hash();
   }
-  const ProjectFile file = reopened(path);
-  REQUIRE(file.project()->demonstrations.size() == 1);
+  const ProjectFile file = opened(folder / "p.trocar");
+  CHECK(name_of_only(file) == "First");
   const demonstration::Demonstration& document = *file.project()->demonstrations.begin()->second;
-  CHECK(document.name == "First");
   CHECK(document.segments.size() == 5);
-  CHECK(document.recording->content_hash() == recording_of(200).content_hash());
-  CHECK(document.recording->initial_world == recording_of(1).initial_world);
+  CHECK(document.recording->content_hash() == moving_recording(200).content_hash());
+  CHECK(document.recording->initial_world == moving_recording(1).initial_world);
+  CHECK(document.recording->provenance.seed == 0xFFFFFFFFFFFFFFFFULL);
   CHECK(file.project()->hash() == hash);
 }
 
 TEST_CASE("closing a project leaves exactly one file") {
-  const Scratch scratch;
+  const ScratchFolder folder;
   {
-    ProjectFile file = ProjectFile::create(scratch.folder / "p.trocar", clock_at_rest()).value();
+    ProjectFile file = created(folder / "p.trocar");
     add_demonstration(file, 200, "First");
   }
-  CHECK(std::distance(fs::directory_iterator(scratch.folder), fs::directory_iterator{}) == 1);
+  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator{}) == 1);
+}
+
+TEST_CASE("what is added has the number of its journal entry, and the history describes each edit") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId id = add_demonstration(file, 1000, "Expert 1");
+  REQUIRE(file.commit(EditDemonstration{id, Trim{0.4, 3.25}}));
+  REQUIRE(file.commit(EditDemonstration{id, LabelSegment{Segment::kC, 1.0, 2.0}}));
+  rename(file, id, "Expert 2");
+  REQUIRE(file.commit(RemoveDemonstration{id}));
+  CHECK(id.value == 1);
+  REQUIRE(file.history().size() == 5);
+  CHECK(file.history()[0].description == "Add Expert 1");
+  CHECK(file.history()[1].description == "Trim Expert 1 to 0.40–3.25 s");
+  CHECK(file.history()[2].description == "Label 1.00–2.00 s of Expert 1 as C");
+  CHECK(file.history()[3].description == "Rename Expert 1 to Expert 2");
+  CHECK(file.history()[4].description == "Remove Expert 2");
+  CHECK(file.history()[4].time == "2023-11-14T22:13:20Z");
+  CHECK(file.head() == 5);
+}
+
+TEST_CASE("undo and redo walk the history, also after opening again, and stop at its ends") {
+  const ScratchFolder folder;
+  {
+    ProjectFile file = created(folder / "p.trocar");
+    const DemonstrationId id = add_demonstration(file, 10, "a");
+    rename(file, id, "b");
+    rename(file, id, "c");
+    REQUIRE(file.undo());
+    CHECK(name_of_only(file) == "b");
+  }
+  ProjectFile file = opened(folder / "p.trocar");
+  CHECK(name_of_only(file) == "b");
+  REQUIRE(file.redo());
+  CHECK(name_of_only(file) == "c");
+  CHECK_FALSE(file.redoable());
+  CHECK(file.redo().error().text() == "there is nothing to redo");
+  for (int i = 0; i < 3; ++i) REQUIRE(file.undo());
+  CHECK(file.project()->demonstrations.empty());
+  CHECK_FALSE(file.undoable());
+  CHECK(file.undo().error().text() == "there is nothing to undo");
+}
+
+TEST_CASE("redo takes the branch that was left last, also after opening again") {
+  const ScratchFolder folder;
+  {
+    ProjectFile file = created(folder / "p.trocar");
+    const DemonstrationId id = add_demonstration(file, 10, "root");
+    const std::int64_t first = rename(file, id, "first");
+    REQUIRE(file.undo());
+    rename(file, id, "second");
+    REQUIRE(file.undo());
+    REQUIRE(file.redo());
+    CHECK(name_of_only(file) == "second");
+    REQUIRE(file.go_to(first));
+    CHECK(name_of_only(file) == "first");
+    REQUIRE(file.undo());
+  }
+  ProjectFile file = opened(folder / "p.trocar");
+  REQUIRE(file.redo());
+  CHECK(name_of_only(file) == "first");
+}
+
+TEST_CASE("an edit that does not apply leaves project and history alone") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId id = add_demonstration(file, 10, "a");
+  CHECK(file.commit(EditDemonstration{id, Trim{5.0, 1.0}}).error().code() == ErrorCode::kInvalidArgument);
+  CHECK(file.commit(EditDemonstration{{77}, Trim{0.0, 1.0}}).error().text() == "the project has no demonstration 77");
+  CHECK(file.commit(RemoveDemonstration{{77}}).error().code() == ErrorCode::kNotFound);
+  CHECK(file.commit(RemoveModel{{77}}).error().code() == ErrorCode::kNotFound);
+  CHECK(file.commit(AddModel{77}).error().code() == ErrorCode::kNotFound);
+  CHECK(file.commit(AddDemonstration{{77}, "x"}).error().code() == ErrorCode::kNotFound);
+  CHECK(file.go_to(77).error().code() == ErrorCode::kNotFound);
+  CHECK(file.history().size() == 1);
+}
+
+TEST_CASE("demonstrations that an edit does not touch are shared between versions") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId touched = add_demonstration(file, 10, "a");
+  const DemonstrationId other = add_demonstration(file, 10, "b");
+  const auto before = file.project();
+  rename(file, touched, "c");
+  CHECK(file.project()->demonstrations.at(other) == before->demonstrations.at(other));
+  CHECK(file.project()->demonstrations.at(touched)->recording == before->demonstrations.at(touched)->recording);
+}
+
+TEST_CASE("a recording that was cut off is recovered once, with a warning, and can be undone") {
+  const ScratchFolder folder;
+  {
+    ProjectFile file = created(folder / "p.trocar");
+    RecordingWriter writer = file.begin_recording({}, "world").value();
+    for (int i = 0; i < 130; ++i) REQUIRE(writer.add(moving_sample(i)));
+  }
+  {
+    Diagnostics diagnostics;
+    ProjectFile file = opened(folder / "p.trocar", diagnostics);
+    REQUIRE(diagnostics.warnings().size() == 1);
+    CHECK(diagnostics.warnings()[0] == "a recording was cut off after 0.5 s and has been recovered");
+    CHECK(name_of_only(file) == "Recovered (0.5 s)");
+    const auto& recording = *file.project()->demonstrations.begin()->second->recording;
+    CHECK(recording.samples.size() == 100);  // Whole chunks of 50.
+    CHECK(recording.recovered);
+    CHECK(recording.initial_world == "world");
+  }
+  ProjectFile again = opened(folder / "p.trocar");
+  CHECK(again.project()->demonstrations.size() == 1);
+  CHECK(again.undo());
+}
+
+TEST_CASE("a recording that was finished but never added is recovered, one that was discarded is not") {
+  const ScratchFolder folder;
+  {
+    ProjectFile file = created(folder / "p.trocar");
+    for (const bool keep : {true, false}) {
+      RecordingWriter writer = file.begin_recording({}, "").value();
+      for (int i = 0; i < 60; ++i) REQUIRE(writer.add(moving_sample(i)));
+      if (keep) REQUIRE(writer.finish(demonstration::Outcome::kSuccess, true));
+      if (!keep) REQUIRE(writer.discard());
+    }
+  }
+  Diagnostics diagnostics;
+  const ProjectFile file = opened(folder / "p.trocar", diagnostics);
+  CHECK(name_of_only(file) == "Recovered (0.3 s)");
+  CHECK(file.project()->demonstrations.begin()->second->recording->outcome == demonstration::Outcome::kSuccess);
+}
+
+TEST_CASE("a recording of fewer than two samples is dropped with a warning") {
+  const ScratchFolder folder;
+  {
+    ProjectFile file = created(folder / "p.trocar");
+    RecordingWriter writer = file.begin_recording({}, "").value();
+    REQUIRE(writer.add(moving_sample(0)));
+    CHECK(writer.finish(demonstration::Outcome::kSuccess, true).error().code() == ErrorCode::kInvalidArgument);
+  }
+  Diagnostics diagnostics;
+  CHECK(opened(folder / "p.trocar", diagnostics).project()->demonstrations.empty());
+  CHECK(diagnostics.warnings().size() == 1);
+  CHECK(opened(folder / "p.trocar").history().empty());
+}
+
+TEST_CASE("a recording in the making is left alone by another who opens the project") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  RecordingWriter writer = file.begin_recording({}, "").value();
+  for (int i = 0; i < 60; ++i) REQUIRE(writer.add(moving_sample(i)));
+  CHECK(opened(folder / "p.trocar").project()->demonstrations.empty());
+  for (int i = 60; i < 120; ++i) REQUIRE(writer.add(moving_sample(i)));
+  const auto id = writer.finish(demonstration::Outcome::kSuccess, true);
+  REQUIRE(id);
+  REQUIRE(file.commit(AddDemonstration{*id, "Whole"}));
+  CHECK(file.project()->demonstrations.begin()->second->gated().size() == 120);
+}
+
+TEST_CASE("a bad sample is refused by the writer and the recording goes on without it") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  RecordingWriter writer = file.begin_recording({}, "").value();
+  REQUIRE(writer.add(moving_sample(0)));
+  CHECK(writer.add(moving_sample(0)).error().code() == ErrorCode::kInvalidArgument);
+  demonstration::Sample bad = moving_sample(1);
+  bad.arms[0].setpoint_p[0] = std::nan("");
+  CHECK(writer.add(bad).error().code() == ErrorCode::kInvalidArgument);
+  REQUIRE(writer.add(moving_sample(1)));
+  const auto id = writer.finish(demonstration::Outcome::kSuccess, false).value();
+  REQUIRE(file.commit(AddDemonstration{id, "Good"}));
+}
+
+TEST_CASE("what another program commits becomes a branch, and nothing of either is lost") {
+  const ScratchFolder folder;
+  ProjectFile one = created(folder / "p.trocar");
+  const DemonstrationId id = add_demonstration(one, 10, "a");
+  ProjectFile two = opened(folder / "p.trocar");
+  rename(one, id, "from one");
+  rename(two, id, "from two");
+  CHECK(name_of_only(two) == "from two");
+  CHECK(two.history().size() == 3);
+  CHECK(two.history()[1].parent == 1);
+  CHECK(two.history()[2].parent == 1);
+  REQUIRE(one.go_to(3));
+  CHECK(name_of_only(one) == "from two");
+}
+
+TEST_CASE("damaged samples are found by their hash when the project is opened") {
+  const ScratchFolder folder;
+  {
+    ProjectFile file = created(folder / "p.trocar");
+    add_demonstration(file, 400, "a");
+  }
+  std::string bytes = read_file(folder / "p.trocar").value();
+  // The last chunk's bytes lie in the last pages; a changed digit of a coordinate is a plausible number still.
+  const demonstration::Sample sample = moving_sample(390);
+  const std::string_view pattern(reinterpret_cast<const char*>(&sample.arms[0].setpoint_p), 16);
+  const std::size_t at = bytes.find(pattern);
+  REQUIRE(at != std::string::npos);
+  bytes[at] = static_cast<char>(bytes[at] ^ 1);
+  REQUIRE(write_file(folder / "bad.trocar", bytes));
+  Diagnostics diagnostics;
+  const auto file = ProjectFile::open(folder / "bad.trocar", testing::clock_at_rest(), diagnostics);
+  REQUIRE_FALSE(file);
+  CHECK(file.error().code() == ErrorCode::kCorrupt);
+  CHECK(file.error().text().find("its content does not match its hash") != std::string::npos);
+}
+
+TEST_CASE("a journal that does not apply is an error that names the entry") {
+  const ScratchFolder folder;
+  { created(folder / "p.trocar"); }
+  {
+    store::ProjectStore store = store::ProjectStore::open(folder / "p.trocar").value();
+    REQUIRE(store.append({0, 0, "t", "remove demonstration", R"({"demonstration":5})", ""}));
+  }
+  Diagnostics diagnostics;
+  const auto file = ProjectFile::open(folder / "p.trocar", testing::clock_at_rest(), diagnostics);
+  REQUIRE_FALSE(file);
+  CHECK(
+      file.error().text().starts_with("the history's entry 1 (remove demonstration) cannot be applied: the project "
+                                      "has no demonstration 5: "));
 }

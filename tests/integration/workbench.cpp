@@ -1,0 +1,145 @@
+// The workbench without a face, with its real threads: record, learn, look, undo, film, and what goes wrong.
+#include "engine/workbench/workbench.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "engine/media/video_writer.h"
+#include "tests/support/scratch_folder.h"
+
+using namespace trocar;
+using namespace trocar::workbench;
+
+namespace {
+
+constexpr double kPatience_s = 300.0;  // sanitizers are slow
+
+/// A workbench with a new project, without pictures.
+struct Bench {
+  trocar::testing::ScratchFolder folder;
+  Workbench workbench{{nullptr, false}};
+
+  Bench() { run(OpenProject{folder / "p.trocar", true}); }
+  const WorkbenchState& state() const { return workbench.state(); }
+  void run(Command command) {
+    workbench.post(std::move(command));
+    REQUIRE(workbench.wait_idle(kPatience_s));
+  }
+  bool logged(Severity severity) const {
+    return std::any_of(state().log.begin(), state().log.end(),
+                       [severity](const LogLine& line) { return line.severity == severity; });
+  }
+  void record() { run(RecordScripted{{}, "", false}); }
+};
+
+}  // namespace
+
+TEST_CASE("a recorded transfer is in the project, selected, placed and verified") {
+  Bench bench;
+  REQUIRE(bench.state().load == LoadState::kReady);
+  bench.record();
+  REQUIRE(bench.state().project->demonstrations.size() == 1);
+  const auto& shown = *bench.state().project->demonstrations.begin()->second;
+  CHECK(bench.state().demonstration == shown.id);
+  CHECK(shown.name == "Expert 1");
+  CHECK(shown.recording->placed);
+  CHECK(shown.recording->provenance.operator_kind == "scripted");
+  bench.run(VerifyReplay{shown.id});
+  REQUIRE_FALSE(bench.state().jobs.empty());
+  CHECK(bench.state().jobs.front().state == JobState::kDone);
+}
+
+TEST_CASE("a trained model is selected with its field and rollouts, stale after an edit and fresh after undo") {
+  Bench bench;
+  bench.record();
+  const DemonstrationId id = bench.state().demonstration;
+  learning::TrainOptions options;
+  options.method = learning::Method::kExact;
+  bench.run(TrainModel{{id}, demonstration::Segment::kA, options, 22, ""});
+  REQUIRE(bench.state().insight);
+  CHECK(bench.state().insight->all.count == 10648);
+  CHECK(bench.state().insight->all.arrived == 10648);
+  CHECK_FALSE(bench.state().insight->ghosts.empty());
+  CHECK_FALSE(bench.state().insight->stale);
+
+  const auto& shown = *bench.state().project->demonstrations.at(id);
+  bench.run(CommitEdit{EditDemonstration{id, demonstration::Trim{shown.begin_s + 0.1, shown.end_s - 0.1}}});
+  CHECK(bench.state().insight->stale);
+  bench.run(Undo{});
+  CHECK_FALSE(bench.state().insight->stale);
+}
+
+TEST_CASE("a discarded recording leaves no demonstration") {
+  Bench bench;
+  bench.workbench.post(RecordScripted{{}, "", true});
+  bench.workbench.poll();
+  bench.run(StopRecording{false});
+  CHECK(bench.state().project->demonstrations.empty());
+  CHECK_FALSE(bench.state().live);
+}
+
+TEST_CASE("a stopped recording that is kept ends as aborted") {
+  Bench bench;
+  bench.workbench.post(RecordScripted{{}, "Short", true});
+  while (!bench.state().live || bench.state().live->samples < 10) bench.workbench.poll();
+  bench.run(StopRecording{true});
+  REQUIRE(bench.state().project->demonstrations.size() == 1);
+  CHECK(bench.state().project->demonstrations.begin()->second->recording->outcome == demonstration::Outcome::kAborted);
+}
+
+TEST_CASE("a project that cannot be opened leaves the open one alone and says why") {
+  Bench bench;
+  const auto before = bench.state().project;
+  std::ofstream(bench.folder / "foreign.trocar") << "not a project";
+  bench.run(OpenProject{bench.folder / "foreign.trocar", false});
+  CHECK(bench.state().load == LoadState::kReady);
+  CHECK(bench.state().project == before);
+  CHECK(bench.logged(Severity::kError));
+}
+
+TEST_CASE("unknown ids and commands without a project are answered in the log") {
+  Workbench empty({nullptr, false});
+  empty.post(Undo{});
+  CHECK(empty.state().log.size() == 1);
+  Bench bench;
+  bench.run(SelectDemonstration{DemonstrationId{77}});
+  CHECK(bench.state().log.back().severity == Severity::kError);
+  bench.run(TrainModel{{DemonstrationId{77}}, demonstration::Segment::kA, {}, 22, ""});
+  CHECK(bench.state().jobs.front().state == JobState::kFailed);
+}
+
+TEST_CASE("the playhead stays within the gates and playing stops at the end") {
+  Bench bench;
+  bench.record();
+  const auto& shown = *bench.state().project->demonstrations.begin()->second;
+  bench.run(SetPlayhead{1e9});
+  CHECK(bench.state().playhead_s == shown.end_s);
+  bench.run(SetPlayhead{-1e9});
+  CHECK(bench.state().playhead_s == shown.begin_s);
+  bench.run(SetPlayhead{shown.end_s - 0.05});
+  bench.run(Play{1.0});
+  CHECK(bench.state().play_speed == 0.0);
+  CHECK(bench.state().playhead_s == shown.end_s);
+}
+
+TEST_CASE("a cancelled film leaves no file, a finished one has every frame") {
+  Bench bench;
+  bench.record();
+  const DemonstrationId id = bench.state().demonstration;
+  const std::filesystem::path path = bench.folder / "film.mp4";
+  bench.workbench.post(ExportVideo{{id}, path, 320, 180, 10.0});
+  while (bench.workbench.poll() && bench.state().jobs.front().fraction == 0.0) {
+  }
+  bench.run(CancelJob{bench.state().jobs.front().id});
+  CHECK(bench.state().jobs.front().state == JobState::kCancelled);
+  CHECK(std::none_of(std::filesystem::directory_iterator(bench.folder.path()), {},
+                     [](const auto& entry) { return entry.path().extension() == ".mp4"; }));
+
+  const auto& shown = *bench.state().project->demonstrations.at(id);
+  bench.run(CommitEdit{EditDemonstration{id, demonstration::Trim{shown.begin_s, shown.begin_s + 1.0}}});
+  bench.run(ExportVideo{{id}, path, 320, 180, 10.0});
+  CHECK(bench.state().jobs.front().state == JobState::kDone);
+  CHECK(media::probe_video(path).value().frames == 11);
+}
