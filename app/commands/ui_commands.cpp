@@ -18,30 +18,27 @@ struct UiArguments {
   std::string out;
 };
 
-void bind_common(CLI::App &verb, UiArguments &arguments) {
+void bind_common(CLI::App& verb, UiArguments& arguments) {
   verb.add_option("--project", arguments.project, "The project to open");
-  verb.add_option("--script", arguments.script,
-                  "F.ui: acts by label, one a line");
-  verb.add_option("--size", arguments.size, "Width and height in pixels")
-      ->capture_default_str();
+  verb.add_option("--script", arguments.script, "F.ui: acts by label, one a line");
+  verb.add_option("--size", arguments.size, "Width and height in pixels")->capture_default_str();
   verb.add_option("--scale", arguments.scale, "Size of text and controls")
       ->check(CLI::Range(0.75, 3.0))
       ->capture_default_str();
   verb.add_flag("--light", arguments.light, "The light theme");
 }
 
-void bind_run(CLI::App &verb, UiArguments &arguments) {
+void bind_run(CLI::App& verb, UiArguments& arguments) {
   bind_common(verb, arguments);
-  verb.add_option("--screenshot", arguments.screenshot,
-                  "F.png: the window as it is at the end");
+  verb.add_option("--screenshot", arguments.screenshot, "F.png: the window as it is at the end");
 }
 
-void bind_dump(CLI::App &verb, UiArguments &arguments) {
+void bind_dump(CLI::App& verb, UiArguments& arguments) {
   bind_common(verb, arguments);
   verb.add_option("--out", arguments.out, "Write the list into a file");
 }
 
-Result<ui::UiRunOptions> options_of(const UiArguments &arguments) {
+Result<ui::UiRunOptions> options_of(const UiArguments& arguments) {
   ui::UiRunOptions options;
   TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
   options.project = arguments.project;
@@ -54,11 +51,9 @@ Result<ui::UiRunOptions> options_of(const UiArguments &arguments) {
   return options;
 }
 
-Result<Answer> run_run(const UiArguments &arguments, Console & /*console*/) {
-  TROCAR_ASSIGN_OR_RETURN(const ui::UiRunOptions options,
-                          options_of(arguments));
-  TROCAR_ASSIGN_OR_RETURN(const ui::UiRunReport report,
-                          ui::run_headless(options));
+Result<Answer> run_run(const UiArguments& arguments, Console& /*console*/) {
+  TROCAR_ASSIGN_OR_RETURN(const ui::UiRunOptions options, options_of(arguments));
+  TROCAR_ASSIGN_OR_RETURN(const ui::UiRunReport report, ui::run_headless(options));
   Answer answer;
   answer.json = {{"lines", report.lines},
                  {"frames", report.frames},
@@ -66,17 +61,15 @@ Result<Answer> run_run(const UiArguments &arguments, Console & /*console*/) {
                  {"first_frame_s", report.first_frame_s},
                  {"width", options.width},
                  {"height", options.height}};
-  answer.summary = fmt::format(
-      "{} acts, {} frames, {}", report.lines, report.frames,
-      counted(static_cast<std::size_t>(report.screenshots), "screenshot"));
+  answer.summary = fmt::format("{} acts, {} frames, {}", report.lines, report.frames,
+                               counted(static_cast<std::size_t>(report.screenshots), "screenshot"));
   return answer;
 }
 
-Result<Answer> run_dump(const UiArguments &arguments, Console & /*console*/) {
+Result<Answer> run_dump(const UiArguments& arguments, Console& /*console*/) {
   TROCAR_ASSIGN_OR_RETURN(ui::UiRunOptions options, options_of(arguments));
   options.dump = true;
-  TROCAR_ASSIGN_OR_RETURN(const ui::UiRunReport report,
-                          ui::run_headless(options));
+  TROCAR_ASSIGN_OR_RETURN(const ui::UiRunReport report, ui::run_headless(options));
   Answer answer;
   answer.json = {{"widgets", Json::parse(report.dump, nullptr, false)}};
   answer.summary = counted(answer.json["widgets"].size(), "widget");
@@ -89,16 +82,12 @@ Result<Answer> run_dump(const UiArguments &arguments, Console & /*console*/) {
   return answer;
 }
 
-} // namespace
+}  // namespace
 
-void add_ui_commands(CLI::App &root, Action &chosen) {
-  CLI::App &noun = *root.add_subcommand("ui", "The workbench without a display")
-                        ->require_subcommand(1);
-  add_verb<UiArguments>(noun, chosen, "run",
-                        "Use the window from a script and take pictures of it",
-                        bind_run, run_run);
-  add_verb<UiArguments>(noun, chosen, "dump", "Print the list of widgets",
-                        bind_dump, run_dump);
+void add_ui_commands(CLI::App& root, Action& chosen) {
+  CLI::App& noun = *root.add_subcommand("ui", "The workbench without a display")->require_subcommand(1);
+  add_verb<UiArguments>(noun, chosen, "run", "Use the window from a script and take pictures of it", bind_run, run_run);
+  add_verb<UiArguments>(noun, chosen, "dump", "Print the list of widgets", bind_dump, run_dump);
 }
 
-} // namespace trocar::app
+}  // namespace trocar::app

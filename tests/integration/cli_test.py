@@ -15,7 +15,7 @@ def read_rows(path):
 class Grammar(CommandLineTest):
     def test_help_is_everywhere(self):
         for words in ([], ["demo"], ["demo", "record"], ["demo", "edit"], ["demo", "edit", "trim"], ["model", "train"],
-                      ["field", "export"], ["rollout", "run"], ["view", "render"], ["video", "render"],
+                      ["field", "export"], ["rollout", "run"], ["view", "render"], ["video", "render"], ["ui", "run"], ["ui", "dump"],
                       ["run"], ["doctor"]):
             done = trocar(*words, "--help")
             self.assertEqual(done.returncode, DONE, words)
@@ -308,6 +308,20 @@ class Pictures(CommandLineTest):
         self.refused("video", "render", project, "1", "--out", self.folder / "film.txt", code=USAGE)
         self.refused("video", "render", project, "1", "--out", self.folder / "no" / "film.mp4", code=WORLD)
         self.assertEqual(self.leftovers(), ["recorded.trocar"])
+
+    def test_the_window_runs_without_a_display(self):
+        project = self.recorded_project()
+        script = self.folder / "acts.ui"
+        shot = self.folder / "window.png"
+        script.write_text('click "Library/Demonstrations/Expert"\nwait idle 60\n')
+        answer = self.answer("ui", "run", "--project", project, "--script", script, "--screenshot", shot,
+                             "--size", "1024x640")
+        self.assertEqual((answer["lines"], answer["screenshots"]), (2, 1))
+        self.assertEqual(struct.unpack(">II", shot.read_bytes()[16:24]), (1024, 640))
+        widgets = self.answer("ui", "dump", "--project", project)["widgets"]
+        self.assertGreater(len(widgets), 20)
+        script.write_text('click "Library/Nobody"\n')
+        self.assertIn("1", self.refused("ui", "run", "--project", project, "--script", script, code=USAGE))
 
     def test_doctor_says_what_there_is(self):
         done = trocar("doctor", "--json")
