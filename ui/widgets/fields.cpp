@@ -25,6 +25,21 @@ void end_field(const WidgetOptions& options) {
   ImGui::PopStyleColor();
 }
 
+// A function of its own, so that the scope ends before the combo's window does.
+bool draw_choices(Ui& ui, std::string_view label, int& chosen, std::span<const std::string> names) {
+  const Scope scope(ui, label);
+  bool changed = false;
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    const std::string& name = names[static_cast<std::size_t>(i)];
+    if (ImGui::Selectable(name.c_str(), i == chosen)) {
+      changed = chosen != i;
+      chosen = i;
+    }
+    note_item(ui, "option", name, i == chosen ? "on" : "off", {});
+  }
+  return changed;
+}
+
 }  // namespace
 
 bool combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::string> names,
@@ -37,15 +52,7 @@ bool combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::str
   const Rect rect = item_rect();
   bool changed = false;
   if (open) {
-    const Scope scope(ui, label);
-    for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-      const std::string& name = names[static_cast<std::size_t>(i)];
-      if (ImGui::Selectable(name.c_str(), i == chosen)) {
-        changed = chosen != i;
-        chosen = i;
-      }
-      note_item(ui, "option", name, i == chosen ? "on" : "off", {});
-    }
+    changed = draw_choices(ui, label, chosen, names);
     ImGui::EndCombo();
     note_rect(ui, "combo", label, shown, rect, options);
   } else {
