@@ -10,14 +10,13 @@
 
 namespace trocar::scene {
 
-/// A file's mesh in the file's units; normals are made where there are none.
+/// A file's mesh in the file's units; normals are the file's, or made where it has none.
 /// Errors: kNotFound, kIo, and those of `parse_mesh`, naming the file.
 Result<std::shared_ptr<const Mesh>> import_mesh(const std::filesystem::path& path);
 
-/// The same from bytes: text PLY with vertices (x, y, z, perhaps nx, ny, nz, in any order and among others that are
-/// passed over) before faces (polygons of 3 to 64 corners, made into triangles).
-/// Errors: kUnsupported for binary PLY; kCorrupt if the bytes are no such mesh: cut short or longer than it says,
-/// numbers that are not finite, a face of a vertex that is not there, no faces at all. Threads: any.
+/// The same from bytes: what `check_ply` finds sound, read by assimp (which aborts the process on what is not);
+/// polygons become triangles.
+/// Errors: those of `check_ply`, and kCorrupt if no triangle can be made. Threads: any.
 Result<Mesh> parse_mesh(std::string_view bytes);
 
 }  // namespace trocar::scene

@@ -85,6 +85,46 @@ TEST_CASE("a mesh with a coordinate that is not finite is an error") {
   }
 }
 
+TEST_CASE("every vertex and face of a long file arrives as it was written") {
+  constexpr int kCount = 5000;
+  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(kCount) +
+                     "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                     std::to_string(kCount - 2) + "\nproperty list uchar uint vertex_indices\nend_header\n";
+  for (int i = 0; i < kCount; ++i) {
+    text += std::to_string(i) + " " + std::to_string(i * i % 1009) + " " + (i % 2 == 0 ? "0.5" : "-1.25e-1") + "\n";
+  }
+  for (int i = 2; i < kCount; ++i) {
+    text += "3 " + std::to_string(i - 2) + " " + std::to_string(i - 1) + " " + std::to_string(i) + "\n";
+  }
+  const Result<scene::Mesh> mesh = scene::parse_mesh(text);
+  REQUIRE(mesh);
+  REQUIRE(mesh->positions.size() == kCount);
+  REQUIRE(mesh->indices.size() == 3 * (kCount - 2));
+  for (int i = 0; i < kCount; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Eigen::Vector3f wanted(static_cast<float>(i), static_cast<float>(i * i % 1009), i % 2 == 0 ? 0.5F : -0.125F);
+    REQUIRE(mesh->positions[k] == wanted);
+    if (i >= 2) REQUIRE(mesh->indices[3 * k - 6] == k - 2);
+    if (i >= 2) REQUIRE(mesh->indices[3 * k - 4] == k);
+  }
+}
+
+TEST_CASE("what the importer would misread or be broken by is refused before it sees it") {
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string text = triangle_ply("3", "3 0 1 2\n");
+    return text.replace(text.find(from), from.size(), to);
+  };
+  REQUIRE(scene::parse_mesh(with("1 0 0\n", "1 0 0\r\n")));
+  for (const std::string& wrong :
+       {with("1 0 0\n", "1 0 0\r"), with("1 0 0\n", "1 0\n0\n"), with("1 0 0\n", "\n1 0 0\n"),
+        with("1 0 0\n", "1 0 0 0\n"), with("1 0 0\n", "1 0 0" + std::string(5000, ' ') + "\n"),
+        with("float x", "float y"), with("float x", "int x"), with("float x", "complex x"),
+        with("property float y", "comment y\nproperty float y"), with("3 0 1 2", "3 0 1 2 0"),
+        with("list uchar", "list float"), with("1 0 0\n", std::string("1 0 0\0\n", 7))}) {
+    CHECK_FALSE(scene::parse_mesh(wrong));
+  }
+}
+
 TEST_CASE("an error of a file names the file") {
   const std::string path = share_path("assets/meshes/SOURCES.md").string();
   const auto mesh = scene::import_mesh(path);
