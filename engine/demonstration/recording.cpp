@@ -35,7 +35,7 @@ double poison(const CompactPose& pose) {
 void add(Hasher& hasher, const Provenance& provenance) {
   hasher.text(provenance.operator_kind).text(provenance.skill).text(provenance.device).value(provenance.seed);
   hasher.value(provenance.block).value(provenance.goal).text(provenance.scene_hash);
-  hasher.text(provenance.software).text(provenance.created);
+  hasher.text(provenance.software);  // not `created`: the same run on another day is the same recording
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// How a model is stored: its numbers a person may want to read as JSON, its arrays as bytes.
+/// How a model is stored: where it came from as JSON, the model itself as the bytes of `learning::encode_model`.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ namespace trocar::workbench {
 constexpr const char* kModelKind = "model";
 
 struct EncodedModel {
-  std::string meta;   ///< JSON: name, provenance, options, lattice.
-  std::string bytes;  ///< Each array as a 64-bit count and its numbers, little-endian.
+  std::string meta;   ///< JSON: name, segment, demonstrations with their hashes, and a summary for human readers.
+  std::string bytes;  ///< `learning::encode_model`.
 };
 
-/// Precondition: `entry.model` is not null.
+/// Preconditions: `entry.model` is not null, and each demonstration has its hash.
 EncodedModel encode_model(const ModelEntry& entry);
-/// An entry without id. Errors: kCorrupt naming what does not fit.
+/// An entry without id. Errors: kUnsupported for another layout; kCorrupt naming what does not fit.
 Result<ModelEntry> decode_model(std::string_view meta, std::string_view bytes);
 
 }  // namespace trocar::workbench

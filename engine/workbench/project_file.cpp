@@ -214,7 +214,9 @@ const std::vector<HistoryNode>& ProjectFile::history() const {
 
 Result<RecordingWriter> ProjectFile::begin_recording(const demonstration::Provenance& provenance,
                                                      const std::string& initial_world) {
-  return RecordingWriter::begin(impl_->store, provenance, initial_world);
+  demonstration::Provenance dated = provenance;
+  if (dated.created.empty()) dated.created = iso_time(impl_->clock->unix_s());
+  return RecordingWriter::begin(impl_->store, dated, initial_world);
 }
 
 Result<demonstration::RecordingId> ProjectFile::store_recording(const demonstration::Recording& recording) {
@@ -233,7 +235,9 @@ Result<demonstration::RecordingId> ProjectFile::store_recording(const demonstrat
 
 Result<std::int64_t> ProjectFile::store_model(const ModelEntry& entry) {
   if (entry.model == nullptr) return fail(ErrorCode::kInvalidArgument, "there is no model to store");
-  const EncodedModel encoded = encode_model(entry);
+  ModelEntry dated = entry;
+  if (dated.created.empty()) dated.created = iso_time(impl_->clock->unix_s());
+  const EncodedModel encoded = encode_model(dated);
   return impl_->store.put_object(kModelKind, encoded.meta, encoded.bytes);
 }
 
