@@ -55,6 +55,11 @@ std::string short_hash(std::uint64_t hash) {
   return fmt::format("{:016x}", hash).substr(0, 8);
 }
 
+std::string shown_time(const std::string& iso) {
+  if (iso.size() < 16 || iso[10] != 'T') return iso;
+  return fmt::format("{} {}", iso.substr(0, 10), iso.substr(11, 5));
+}
+
 std::string shown_path(const std::filesystem::path& path) {
   const std::string text = path.string();
   const char* home = std::getenv("HOME");

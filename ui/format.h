@@ -21,6 +21,8 @@ std::string percent(std::int64_t part, std::int64_t whole);
 std::string number(double value);
 /// The eight first digits of a hash.
 std::string short_hash(std::uint64_t hash);
+/// "2026-03-01 12:03" of an ISO 8601 time; anything else as it is.
+std::string shown_time(const std::string& iso);
 /// "~/work/a.trocar": the home folder shortened.
 std::string shown_path(const std::filesystem::path& path);
 

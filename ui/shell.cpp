@@ -22,6 +22,26 @@ float next_scale(float now, bool up) {
   return here == kScales.begin() ? kScales.front() : *(here - 1);
 }
 
+// What a tab shows: less where the strip is narrow.
+enum class TabWords : std::uint8_t { kIconAndTitle, kTitle, kIcon };
+
+std::string words_of_tab(PanelId panel, TabWords detail) {
+  if (detail == TabWords::kTitle) return std::string(title(panel));
+  if (detail == TabWords::kIcon) return icon_of(panel);
+  return std::string(icon_of(panel)) + "  " + std::string(title(panel));
+}
+
+TabWords tab_words(const Ui& ui, const Tile& tile, float room) {
+  for (const TabWords detail : {TabWords::kIconAndTitle, TabWords::kTitle}) {
+    float width = 0.0F;
+    for (const PanelId panel : tile.panels) {
+      width += ImGui::CalcTextSize(words_of_tab(panel, detail).c_str()).x + ui.px(22);
+    }
+    if (width <= room) return detail;
+  }
+  return TabWords::kIcon;
+}
+
 // The picture goes to the edge of its tile; everything else has a margin.
 bool has_margin(PanelId panel) {
   return panel != PanelId::kView;
@@ -41,16 +61,18 @@ void Shell::draw_tabs(Ui& ui, Tile& tile, const Rect& rect) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(ui.theme().header));
   const Scope scope(ui, "Tabs");
+  const TabWords detail = tab_words(ui, tile, rect.width());
   float x = rect.x0;
   for (int i = 0; i < static_cast<int>(tile.panels.size()); ++i) {
     const PanelId panel = tile.panels[static_cast<std::size_t>(i)];
     const bool active = i == tile.active;
-    const std::string words = std::string(icon_of(panel)) + "  " + std::string(title(panel));
+    const std::string words = words_of_tab(panel, active ? std::min(detail, TabWords::kTitle) : detail);
     const float width = ImGui::CalcTextSize(words.c_str()).x + ui.px(22);
     ImGui::SetCursorScreenPos({x, rect.y0});
     if (ImGui::InvisibleButton(std::string(title(panel)).c_str(), {width, rect.height()})) tile.active = i;
     const bool hovered = ImGui::IsItemHovered();
-    note_item(ui, "tab", title(panel), active ? "on" : "off", {});
+    note_item(ui, "tab", title(panel), active ? "on" : "off",
+              {.help = detail == TabWords::kIcon ? title(panel) : std::string_view{}});
     if (active) {
       list.AddRectFilled({x, rect.y0}, {x + width, rect.y1}, to_u32(ui.theme().panel));
       list.AddRectFilled({x, rect.y0}, {x + width, rect.y0 + ui.px(2)}, to_u32(ui.theme().accent));

@@ -180,8 +180,8 @@ void apply(const Theme& theme, float scale, ImGuiStyle& style) {
   set(ImGuiCol_ScrollbarGrabHovered, theme.text_disabled);
   set(ImGuiCol_ScrollbarGrabActive, theme.text_dim);
   set(ImGuiCol_CheckMark, theme.accent);
-  set(ImGuiCol_SliderGrab, theme.accent);
-  set(ImGuiCol_SliderGrabActive, theme.accent);
+  set(ImGuiCol_SliderGrab, theme.dark ? theme.accent_fill : mix(theme.accent, theme.raised, 0.6F));
+  set(ImGuiCol_SliderGrabActive, theme.dark ? theme.accent_hover : mix(theme.accent, theme.raised, 0.5F));
   set(ImGuiCol_Button, theme.raised);
   set(ImGuiCol_ButtonHovered, theme.hover);
   set(ImGuiCol_ButtonActive, theme.pressed);

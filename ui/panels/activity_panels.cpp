@@ -176,7 +176,7 @@ std::string_view clock_of(std::string_view iso) {
 
 Requests HistoryPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state, requests)) return requests;
+  if (draw_no_project(ui, state)) return requests;
   if (state.history.empty()) {
     empty_state(ui, icon::kHistory, "", "Every edit appears here and can be undone, also tomorrow", {});
     return requests;

@@ -10,7 +10,17 @@
 
 namespace trocar::ui {
 
-bool draw_no_project(Ui& ui, const WorkbenchState& state, Requests& requests) {
+bool draw_no_project(Ui& ui, const WorkbenchState& state) {
+  using workbench::LoadState;
+  if (state.load == LoadState::kReady && state.project != nullptr) return false;
+  const std::string_view sentence = state.load == LoadState::kLoading  ? "Opening the project"
+                                    : state.load == LoadState::kFailed ? "The project could not be opened"
+                                                                       : "No project is open";
+  empty_state(ui, "", "", sentence, {});
+  return true;
+}
+
+bool draw_welcome(Ui& ui, const WorkbenchState& state, Requests& requests) {
   using workbench::LoadState;
   if (state.load == LoadState::kReady && state.project != nullptr) return false;
   if (state.load == LoadState::kLoading) {

@@ -8,8 +8,10 @@
 
 namespace trocar::ui {
 
-/// Where no project is ready: says so (empty, loading or error, with what can be done) and returns true.
-bool draw_no_project(Ui& ui, const WorkbenchState& state, Requests& requests);
+/// Where no project is ready: says so in a line and returns true.
+bool draw_no_project(Ui& ui, const WorkbenchState& state);
+/// The same at length, once in the window: empty, loading or error, with what can be done about it.
+bool draw_welcome(Ui& ui, const WorkbenchState& state, Requests& requests);
 
 /// A button for a row of the command table: its icon, help, keys and reason.
 void command_button(Ui& ui, const WorkbenchState& state, std::string_view id, std::string_view label, ButtonStyle style,

@@ -163,7 +163,7 @@ void FieldsPanel::draw_slice(Ui& ui, const WorkbenchState& state, int axis, ImVe
   list.AddImage(texture, {rect.x0, rect.y0}, {rect.x1, rect.y1});
   draw_marks(ui, state, axis, rect);
   const FontScope font(ui.fonts().small);
-  const std::string names = fmt::format("{} → , {} ↑", kAxisNames[static_cast<std::size_t>(axes.right)],
+  const std::string names = fmt::format("{} →  {} ↑", kAxisNames[static_cast<std::size_t>(axes.right)],
                                         kAxisNames[static_cast<std::size_t>(axes.up)]);
   const ImVec2 words = ImGui::CalcTextSize(names.c_str());
   list.AddRectFilled({rect.x0, rect.y0}, {rect.x0 + words.x + ui.px(8), rect.y0 + words.y + ui.px(4)},
@@ -171,7 +171,7 @@ void FieldsPanel::draw_slice(Ui& ui, const WorkbenchState& state, int axis, ImVe
   list.AddText({rect.x0 + ui.px(4), rect.y0 + ui.px(2)}, to_u32(ui.theme().text), names.c_str());
   workbench::FieldSettings settings = state.field;
   const bool in_view = settings.slices[i] >= 0;
-  if (toggle(ui, "In the view", in_view, {.icon = nullptr, .help = "Show this slice in the 3-D view", .width = 0.0F})) {
+  if (toggle(ui, "3-D", in_view, {.icon = icon::kEye, .help = "Show this slice in the 3-D view"})) {
     settings.slices[i] = in_view ? -1 : index_[i];
     requests.emplace_back(Command{SetField{settings}});
   }
@@ -196,10 +196,11 @@ void FieldsPanel::draw_probe(Ui& ui, const WorkbenchState& state) {
   heading(ui, fmt::format("Cell {}, {}, {}", at.x, at.y, at.z));
   const FontScope font(ui.fonts().small);
   fact(ui, "Position",
-       fmt::format("{:.1f}, {:.1f}, {:.1f} mm", spatial::to_mm(p.x()), spatial::to_mm(p.y()), spatial::to_mm(p.z())));
+       fmt::format("{}, {}, {} mm", number(spatial::to_mm(p.x())), number(spatial::to_mm(p.y())),
+                   number(spatial::to_mm(p.z()))));
   fact(ui, "Index", count(cell.value));
-  fact(ui, field.title.empty() ? learning::to_string(field.layer) : field.title,
-       value_words(field, field.values[flat]));
+  const bool own_row = field.layer == learning::Layer::kReward || field.layer == learning::Layer::kValue;
+  if (!own_row) fact(ui, field.title, value_words(field, field.values[flat]));
   fact(ui, "Reward θ", number(model.theta[flat]));
   fact(ui, "Value V", number(model.value[flat]));
   const std::uint8_t best = state.insight->policy == nullptr ? learning::kNoAction : (*state.insight->policy)[flat];
@@ -240,7 +241,7 @@ void FieldsPanel::draw_slices(Ui& ui, const WorkbenchState& state, Requests& req
 
 Requests FieldsPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state, requests)) return requests;
+  if (draw_no_project(ui, state)) return requests;
   if (!state.insight || state.insight->entry == nullptr || state.insight->field == nullptr) {
     const std::array<EmptyStateAction, 1> actions{
         {{"Train a model…", icon::kTrain, command("model.train").reason_now(state), "Learn from demonstrations"}}};

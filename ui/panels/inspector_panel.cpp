@@ -20,7 +20,7 @@ void draw_provenance(Ui& ui, const demonstration::Recording& recording) {
   if (!origin.device.empty()) fact(ui, "Device", origin.device);
   fact(ui, "Seed", std::to_string(origin.seed));
   fact(ui, "Block, goal", fmt::format("{}, {}", origin.block, origin.goal));
-  if (!origin.created.empty()) fact(ui, "Recorded", origin.created);
+  if (!origin.created.empty()) fact(ui, "Recorded", shown_time(origin.created));
   if (!origin.software.empty()) fact(ui, "With", origin.software);
   if (!origin.scene_hash.empty()) fact(ui, "Scene", origin.scene_hash);
 }
@@ -41,7 +41,7 @@ void draw_model(Ui& ui, const WorkbenchState& state, const ModelEntry& entry) {
   fact(ui, "Seed", std::to_string(options.seed));
   fact(ui, "Lattice", fmt::format("{0} × {0} × {0}", entry.model->grid.n));
   fact(ui, "Trained in", seconds(entry.model->seconds));
-  if (!entry.created.empty()) fact(ui, "Trained", entry.created);
+  if (!entry.created.empty()) fact(ui, "Trained", shown_time(entry.created));
   if (!state.insight || state.insight->entry == nullptr || state.insight->entry->id != entry.id) return;
   fact(ui, "Fully explored", count(state.insight->exploration.fully_explored) + " cells");
   fact(ui, "Partly explored", count(state.insight->exploration.partly_explored) + " cells");
@@ -109,7 +109,7 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
 
 Requests InspectorPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state, requests)) return requests;
+  if (draw_no_project(ui, state)) return requests;
   const auto shown = selected_demonstration(state);
   const auto model = selected_model(state);
   if (shown == nullptr && model == nullptr) {

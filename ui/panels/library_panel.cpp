@@ -111,7 +111,7 @@ std::string LibraryPanel::arrival_of(workbench::ModelId id) const {
 
 Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state, requests)) return requests;
+  if (draw_no_project(ui, state)) return requests;
   remember(state);
   const bool wide = ImGui::GetContentRegionAvail().x > ui.px(620);
   command_button(ui, state, "demo.record", "Record…", ButtonStyle::kPrimary, requests);
@@ -175,7 +175,7 @@ namespace {
 
 void draw_model_card(Ui& ui, const ModelEntry& entry, bool stale, const std::string& arrival, float width) {
   const float left = ImGui::GetCursorPosX();
-  ImGui::TextUnformatted(fitted(entry.name, width - ui.px(60)).c_str());
+  ImGui::TextUnformatted(fitted(entry.name, width - ui.px(100)).c_str());
   {
     const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
     right_aligned(arrival, left + width);
@@ -237,8 +237,9 @@ void LibraryPanel::draw_models(Ui& ui, const WorkbenchState& state, bool wide, R
       ImGui::TextUnformatted(entry->name.c_str());
       draw_model_cells(ui, *entry, stale, arrival);
     } else {
-      clicked = card(ui, entry->name, selected, stale ? "stale" : "up to date",
-                     [&](float width) { draw_model_card(ui, *entry, stale, arrival, width); });
+      clicked = card(ui, entry->name, selected, stale ? "stale" : "up to date", [&](float width) {
+        draw_model_card(ui, *entry, stale, arrival == "–" ? arrival : arrival + " arrive", width);
+      });
     }
     ImGui::PopID();
     if (clicked && !selected) requests.emplace_back(workbench::Command{workbench::SelectModel{id}});

@@ -19,7 +19,7 @@ class Lanes {
   Lanes(Ui& ui, const LaneLayout& layout) : ui_(ui), layout_(layout), y_(layout.lanes.y0) {}
 
   bool begin(std::string_view name, float height);
-  void block(double begin_s, double end_s, Rgba colour, std::string_view words);
+  void block(double begin_s, double end_s, Rgba colour, std::string_view words, std::string_view short_words = {});
   void thin_row(const std::vector<Run>& runs, int row, int rows, Rgba colour) const;
   void curve(const std::vector<Extent>& extents, float low, float high, Rgba colour) const;
   void end();
@@ -48,7 +48,7 @@ void Lanes::end() {
   y_ += 1.0F;
 }
 
-void Lanes::block(double begin_s, double end_s, Rgba colour, std::string_view words) {
+void Lanes::block(double begin_s, double end_s, Rgba colour, std::string_view words, std::string_view short_words) {
   const float x0 = std::max(layout_.x_of(begin_s), layout_.lanes.x0);
   const float x1 = std::min(layout_.x_of(end_s), layout_.lanes.x1);
   if (x1 <= layout_.lanes.x0 || x0 >= layout_.lanes.x1) return;
@@ -56,16 +56,20 @@ void Lanes::block(double begin_s, double end_s, Rgba colour, std::string_view wo
   const float y1 = y_ + height_ - ui_.px(3);
   list().AddRectFilled({x0, y0}, {std::max(x1 - 1.0F, x0 + 1.0F), y1}, to_u32(colour), ui_.px(3));
   const FontScope font(ui_.fonts().small);
-  const ImVec2 size = ImGui::CalcTextSize(words.data(), words.data() + words.size());
-  if (size.x + ui_.px(6) > x1 - x0) return;
+  const auto size_of = [](std::string_view text) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size());
+  };
+  if (size_of(words).x + ui_.px(8) > x1 - x0) words = short_words;
+  const ImVec2 size = size_of(words);
+  if (words.empty() || size.x + ui_.px(4) > x1 - x0) return;
   const float x = x0 + ui_.px(6) + size.x > x1 - ui_.px(6) ? x0 + 0.5F * (x1 - x0 - size.x) : x0 + ui_.px(6);
   list().AddText({std::round(x), std::round(0.5F * (y0 + y1 - size.y))}, to_u32(kInk), words.data(),
                  words.data() + words.size());
 }
 
 void Lanes::thin_row(const std::vector<Run>& runs, int row, int rows, Rgba colour) const {
-  const float each = (height_ - ui_.px(6)) / static_cast<float>(rows);
-  const float y0 = y_ + ui_.px(3) + each * static_cast<float>(row);
+  const float each = (height_ - ui_.px(4)) / static_cast<float>(rows);
+  const float y0 = y_ + ui_.px(2) + each * static_cast<float>(row);
   for (const Run& run : runs) {
     const float x0 = std::max(layout_.x_of(run.begin_s), layout_.lanes.x0);
     const float x1 = std::min(layout_.x_of(run.end_s), layout_.lanes.x1);
@@ -94,13 +98,11 @@ void Lanes::curve(const std::vector<Extent>& extents, float low, float high, Rgb
 }
 
 void draw_segments(Lanes& lanes, const Ui& ui, const demonstration::Demonstration& shown) {
-  if (!lanes.begin("Segments", ui.px(26))) return;
+  if (!lanes.begin("Segments", ui.px(24))) return;
   for (const demonstration::SegmentSpan& span : shown.segments) {
-    const std::string words =
-        fmt::format("{}  {}", demonstration::letter(span.label), seconds(span.end_s - span.begin_s));
     const std::string letter(1, demonstration::letter(span.label));
-    lanes.block(span.begin_s, span.end_s, segment_colour(span.label), letter);
-    lanes.block(span.begin_s, span.end_s, segment_colour(span.label), words);
+    const std::string words = fmt::format("{}  {}", letter, seconds(span.end_s - span.begin_s));
+    lanes.block(span.begin_s, span.end_s, segment_colour(span.label), words, letter);
   }
   lanes.end();
 }
@@ -109,7 +111,7 @@ void draw_segments(Lanes& lanes, const Ui& ui, const demonstration::Demonstratio
 
 LaneLayout lay_out(const Ui& ui, const Rect& area, const TimeRange& range) {
   const float names = ui.px(78);
-  const float ruler = ui.px(24);
+  const float ruler = ui.px(30);
   LaneLayout layout;
   layout.names = {area.x0 + ui.px(10), area.y0 + ruler, area.x0 + names, area.y1};
   layout.ruler = {area.x0 + names, area.y0, area.x1 - ui.px(10), area.y0 + ruler};
@@ -137,7 +139,7 @@ void draw_ruler(Ui& ui, const LaneLayout& layout) {
     const std::string words = fmt::format("{:.{}f} s", t_s, digits);
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     if (x + size.x < layout.ruler.x1)
-      list.AddText({x + ui.px(4), layout.ruler.y0 + ui.px(3)}, to_u32(ui.theme().text_dim), words.c_str());
+      list.AddText({x + ui.px(4), layout.ruler.y0 + ui.px(1)}, to_u32(ui.theme().text_dim), words.c_str());
   }
   list.AddRectFilled({layout.names.x0, layout.ruler.y1}, {layout.lanes.x1, layout.ruler.y1 + 1.0F},
                      to_u32(ui.theme().line));
@@ -146,7 +148,7 @@ void draw_ruler(Ui& ui, const LaneLayout& layout) {
 void draw_lanes(Ui& ui, const LaneLayout& layout, const demonstration::Demonstration& shown, const LaneData& data) {
   Lanes lanes(ui, layout);
   draw_segments(lanes, ui, shown);
-  if (lanes.begin("Authority", ui.px(22))) {
+  if (lanes.begin("Authority", ui.px(21))) {
     for (const Run& run : data.authority()) {
       const auto authority = static_cast<demonstration::Authority>(run.state - 1);
       lanes.block(run.begin_s, run.end_s, authority_colour(authority), demonstration::to_string(authority));
@@ -155,20 +157,20 @@ void draw_lanes(Ui& ui, const LaneLayout& layout, const demonstration::Demonstra
   }
   const Rgba left = mix(ui.theme().accent, ui.theme().text, 0.1F);
   const Rgba right = mix(ui.theme().warning, ui.theme().text, 0.1F);
-  if (lanes.begin("Jaw L", ui.px(32))) {
+  if (lanes.begin("Jaw L", ui.px(27))) {
     lanes.curve(data.jaw(0), data.jaw_low(), data.jaw_high(), left);
     lanes.end();
   }
-  if (lanes.begin("Jaw R", ui.px(32))) {
+  if (lanes.begin("Jaw R", ui.px(27))) {
     lanes.curve(data.jaw(1), data.jaw_low(), data.jaw_high(), right);
     lanes.end();
   }
-  if (lanes.begin("Holds L, R", ui.px(22))) {
+  if (lanes.begin("Holds L, R", ui.px(17))) {
     lanes.thin_row(data.flag(demonstration::kLeftHolds), 0, 2, left);
     lanes.thin_row(data.flag(demonstration::kRightHolds), 1, 2, right);
     lanes.end();
   }
-  if (lanes.begin("Pedals", ui.px(22))) {
+  if (lanes.begin("Pedals", ui.px(17))) {
     lanes.thin_row(data.flag(demonstration::kAgentPedal), 0, 2, ui.theme().good);
     lanes.thin_row(data.flag(demonstration::kClutchPedal), 1, 2, ui.theme().text_dim);
     lanes.end();

@@ -156,10 +156,10 @@ void TimelinePanel::draw_gates(Ui& ui, const LaneLayout& layout) const {
     const Rgba colour = active ? ui.theme().accent : ui.theme().text_dim;
     const float tab = ui.px(7);
     const float x0 = left ? x - tab : x;
-    list.AddRectFilled({x - 1.0F, layout.ruler.y0}, {x + 1.0F, lanes.y1}, to_u32(colour));
-    list.AddRectFilled({x0, layout.ruler.y0 + ui.px(4)}, {x0 + tab, layout.ruler.y1}, to_u32(colour), ui.px(2));
-    note_rect(ui, "slider", label, fmt::format("{:.3f}", t_s), {x0, layout.ruler.y0, x0 + tab, layout.ruler.y1},
-              {.help = "Drag to trim"});
+    list.AddRectFilled({x - 1.0F, layout.ruler.y1 - ui.px(14)}, {x + 1.0F, lanes.y1}, to_u32(colour));
+    list.AddRectFilled({x0, layout.ruler.y1 - ui.px(14)}, {x0 + tab, layout.ruler.y1}, to_u32(colour), ui.px(2));
+    note_rect(ui, "slider", label, fmt::format("{:.3f}", t_s),
+              {x0, layout.ruler.y1 - ui.px(14), x0 + tab, layout.ruler.y1}, {.help = "Drag to trim"});
   };
   gate(in, true, drag_ == Drag::kGateIn, "In gate", gate_in_s_);
   gate(out, false, drag_ == Drag::kGateOut, "Out gate", gate_out_s_);
@@ -171,7 +171,7 @@ void TimelinePanel::draw_playhead(Ui& ui, const LaneLayout& layout, double t_s) 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 colour = to_u32(ui.theme().accent);
   const float half = ui.px(5);
-  const float y = layout.ruler.y1 - ui.px(9);
+  const float y = layout.ruler.y1 - ui.px(7);
   list.AddRectFilled({x - 1.0F, y}, {x + 1.0F, layout.lanes.y1}, colour);
   list.AddRectFilled({x - half, y - ui.px(6)}, {x + half, y}, colour, ui.px(2));
   list.AddTriangleFilled({x - half, y}, {x + half, y}, {x, y + ui.px(6)}, colour);
@@ -196,7 +196,7 @@ void TimelinePanel::draw_lane_area(Ui& ui, const WorkbenchState& state, const de
 
 Requests TimelinePanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state, requests)) return requests;
+  if (draw_no_project(ui, state)) return requests;
   const auto shown = selected_demonstration(state);
   if (shown == nullptr || shown->samples == nullptr || shown->gated().empty()) {
     const std::array<EmptyStateAction, 1> actions{

@@ -77,7 +77,7 @@ std::string TrainPanel::reason(const WorkbenchState& state) const {
 
 Requests TrainPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state, requests)) return requests;
+  if (draw_no_project(ui, state)) return requests;
   if (state.project->demonstrations.empty()) {
     const std::array<EmptyStateAction, 1> actions{
         {{"Record…", icon::kRecord, command("demo.record").reason_now(state), "Record a scripted transfer"}}};

@@ -216,7 +216,7 @@ void ViewPanel::draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& r
 
 Requests ViewPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state, requests)) return requests;
+  if (draw_welcome(ui, state, requests)) return requests;
   const ImVec2 size = ImGui::GetContentRegionAvail();
   follow_size(size, requests);
   const std::string value = state.picture == nullptr

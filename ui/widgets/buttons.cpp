@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 #include "ui/widgets/widgets.h"
@@ -55,6 +57,22 @@ void note_fit(Ui& ui, const std::string& words, float padding) {
   ui.items().note_text(ImGui::CalcTextSize(words.c_str()).x, padding);
 }
 
+// The square of a check box with its tick.
+void draw_box(const Ui& ui, ImVec2 at, float box, bool on, bool enabled) {
+  const Theme& theme = ui.theme();
+  const bool lit = on && enabled;
+  const bool hovered = enabled && ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 end{at.x + box, at.y + box};
+  list.AddRectFilled(at, end, to_u32(lit ? theme.accent_fill : hovered ? theme.hover : theme.raised), ui.px(3));
+  list.AddRect(at, end, to_u32(lit ? theme.accent : theme.text_disabled), ui.px(3));
+  if (!on) return;
+  const std::array<ImVec2, 3> tick{{{at.x + 0.24F * box, at.y + 0.52F * box},
+                                    {at.x + 0.43F * box, at.y + 0.70F * box},
+                                    {at.x + 0.77F * box, at.y + 0.32F * box}}};
+  list.AddPolyline(tick.data(), 3, to_u32(enabled ? theme.on_accent : theme.text_disabled), 0, ui.px(2));
+}
+
 }  // namespace
 
 bool button(Ui& ui, std::string_view label, const WidgetOptions& options) {
@@ -95,14 +113,22 @@ bool toggle(Ui& ui, std::string_view label, bool on, const WidgetOptions& option
 
 bool checkbox(Ui& ui, std::string_view label, bool& on, const WidgetOptions& options) {
   const bool enabled = options.reason.empty();
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(3), ui.px(3)});
-  const ColourScope words(ImGuiCol_Text, enabled ? ui.theme().text : ui.theme().text_disabled);
+  const std::string words(label);
+  const float box = ui.px(16);
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = box + ui.px(8) + ImGui::CalcTextSize(words.c_str()).x;
   if (!enabled) ImGui::BeginDisabled();
-  const bool changed = ImGui::Checkbox(std::string(label).c_str(), &on);
+  const bool clicked = ImGui::InvisibleButton(words.c_str(), {width, height});
   if (!enabled) ImGui::EndDisabled();
-  ImGui::PopStyleVar();
+  if (clicked) on = !on;
+  draw_box(ui, {at.x, std::round(at.y + 0.5F * (height - box))}, box, on, enabled);
+  const Rgba colour = enabled ? ui.theme().text : ui.theme().text_disabled;
+  ImGui::GetWindowDrawList()->AddText(
+      {at.x + box + ui.px(8), std::round(at.y + 0.5F * (height - ImGui::GetFontSize()))}, to_u32(colour),
+      words.c_str());
   note_item(ui, "checkbox", label, on ? "on" : "off", options);
-  return changed;
+  return clicked;
 }
 
 bool segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std::string> names,

@@ -154,7 +154,8 @@ int empty_state(Ui& ui, const char* icon, std::string_view title, std::string_vi
   const auto rows = static_cast<float>(actions.empty() ? 0 : stacked ? actions.size() : 1);
   const float height = ui.px(34) + ui.px(24) + ui.px(46) + rows * (ImGui::GetFrameHeight() + ui.px(7));
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + std::max(ui.px(6), 0.44F * (room.y - height)));
-  if (room.y > ui.px(150)) centred_line(ui, ui.fonts().large, icon, ui.theme().text_disabled, left, room.x);
+  if (*icon != '\0' && room.y > ui.px(150))
+    centred_line(ui, ui.fonts().large, icon, ui.theme().text_disabled, left, room.x);
   if (!title.empty()) centred_line(ui, ui.fonts().strong, title, ui.theme().text, left, room.x);
   centred_line(ui, ui.fonts().body, sentence, ui.theme().text_dim, left, room.x);
   ImGui::Dummy({0.0F, ui.px(2)});

@@ -49,18 +49,18 @@ std::string text_of(const Status& status) {
 
 }  // namespace
 
-TEST_CASE("without a project the library offers to make one, and the chooser opens") {
+TEST_CASE("without a project the view offers to make one, and the chooser opens") {
   Desk desk({});
-  CHECK(text_of(desk.driver().click("Library/New project…")) == "");
+  CHECK(text_of(desk.driver().click("View/New project…")) == "");
   CHECK(text_of(desk.driver().expect_present("New project/Create", true)) == "");
 }
 
-TEST_CASE("a project that failed to open says why in the library") {
+TEST_CASE("a project that failed to open says why in the view") {
   workbench::WorkbenchState state;
   state.load = workbench::LoadState::kFailed;
   state.load_error = "this is no project /data/x";
   Desk desk(state);
-  CHECK(desk.session->items().find("Library/this is no project /data/x") != nullptr);
+  CHECK(desk.session->items().find("View/this is no project /data/x") != nullptr);
 }
 
 TEST_CASE("the record form posts what was chosen") {
@@ -194,7 +194,7 @@ TEST_CASE("the fields panel shows the goal's cell and a click cuts elsewhere") {
   Driver driver = desk.driver();
   CHECK(text_of(driver.click("Tabs/Fields")) == "");
   CHECK(text_of(driver.expect_present("Fields/Probe/Cell 1, 10, 10", true)) == "");
-  CHECK(text_of(driver.click("Fields/z/In the view")) == "");
+  CHECK(text_of(driver.click("Fields/z/3-D")) == "");
   REQUIRE(desk.last<workbench::SetField>() != nullptr);
   CHECK(desk.last<workbench::SetField>()->settings.slices[2] == 10);
 }
