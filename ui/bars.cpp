@@ -36,6 +36,18 @@ void draw_recent(Ui& ui, const Settings& settings, Requests& requests) {
   }
 }
 
+// Its scope ends before the menu's window does.
+void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settings, std::string_view menu,
+                     Requests& requests) {
+  const Scope scope(ui, menu);
+  for (const CommandRow& row : command_table()) {
+    if (row.menu != menu) continue;
+    if (row.separator) ImGui::Separator();
+    draw_menu_item(ui, state, row, requests);
+  }
+  if (menu == "File") draw_recent(ui, settings, requests);
+}
+
 void draw_menus(Ui& ui, const WorkbenchState& state, const Settings& settings, Requests& requests) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(14), ui.px(8)});
   for (const char* menu : {"File", "Edit", "View", "Transport", "Help"}) {
@@ -43,13 +55,7 @@ void draw_menus(Ui& ui, const WorkbenchState& state, const Settings& settings, R
     note_item(ui, "menu", menu, open ? "open" : "", {});
     if (!open) continue;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(8)});
-    const Scope scope(ui, menu);
-    for (const CommandRow& row : command_table()) {
-      if (row.menu != menu) continue;
-      if (row.separator) ImGui::Separator();
-      draw_menu_item(ui, state, row, requests);
-    }
-    if (std::string_view(menu) == "File") draw_recent(ui, settings, requests);
+    draw_menu_items(ui, state, settings, menu, requests);
     ImGui::PopStyleVar();
     ImGui::EndMenu();
   }

@@ -1,5 +1,7 @@
 #include "ui/shell.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +22,12 @@ float next_scale(float now, bool up) {
   }
   const auto* here = std::lower_bound(kScales.begin(), kScales.end(), now - 0.01F);
   return here == kScales.begin() ? kScales.front() : *(here - 1);
+}
+
+// ImGui leaves this to its keyboard navigation, which would take the arrow keys from the timeline.
+void close_popups_on_escape(const Ui& ui) {
+  const bool open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (open && ui.input().pressed(Key::kEscape)) ImGui::ClosePopupToLevel(0, true);
 }
 
 // What a tab shows: less where the strip is narrow.
@@ -154,9 +162,9 @@ Requests Shell::draw_host(Ui& ui, const WorkbenchState& state, double frames_hz)
                                       ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoBackground |
                                       ImGuiWindowFlags_NoScrollWithMouse;
   ImGui::Begin("Trocar", nullptr, kFlags);
-  ImGui::PopStyleVar();
+  // Menus are windows too and keep the margins of the style.
+  ImGui::PopStyleVar(4);
   append(requests, draw_menu_bar(ui, state, settings_, frames_hz));
-  ImGui::PopStyleVar(3);
   const float top = menu_bar_height(ui);
   const float bar = tool_bar_height(ui);
   const float status = status_line_height(ui);
@@ -281,6 +289,7 @@ ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz) {
   Requests requests = take_keys(ui, state);
   append(requests, draw_host(ui, state, frames_hz));
   append(requests, draw_forms(ui, state));
+  close_popups_on_escape(ui);
   ShellResult result;
   resolve(requests, ui, state, result);
   return result;

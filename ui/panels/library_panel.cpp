@@ -39,6 +39,7 @@ void draw_card(Ui& ui, const Demonstration& shown, float width) {
   const FontScope font(ui.fonts().small);
   const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
   const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8);
+  if (left + width - used < ui.px(70)) return;
   right_aligned(fitted(provenance_words(shown.recording->provenance), left + width - used), left + width);
 }
 
@@ -119,7 +120,9 @@ Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
   command_button(ui, state, "model.train", "Train…", ButtonStyle::kNormal, requests);
   const std::array<std::string_view, 3> icons{"edit.trim_idle", "demo.verify", "edit.remove_demonstration"};
   const float each = ImGui::GetFrameHeight() + ui.px(4);
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 3.0F * each - 2.0F * ui.px(2));
+  const float icons_x = ImGui::GetWindowContentRegionMax().x - 3.0F * each - 2.0F * ui.px(2);
+  // Where the panel is narrow, the icons go below.
+  if (icons_x > ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8)) ImGui::SameLine(icons_x);
   for (std::size_t i = 0; i < icons.size(); ++i) {
     if (i > 0) ImGui::SameLine(0.0F, ui.px(2));
     command_icon(ui, state, icons[i], requests);

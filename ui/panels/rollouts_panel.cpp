@@ -57,7 +57,7 @@ void around_table(Ui& ui, const std::array<RolloutSummary, 5>& around, int chose
   const Scope scope(ui, "Distances");
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchSame;
   if (!ImGui::BeginTable("around", 5, kFlags)) return;
-  for (const char* name : {"Start", "Count", "Arrives", "Loops", "From above"}) ImGui::TableSetupColumn(name);
+  for (const char* name : {"Start", "Count", "Arrives", "Loops", "Above"}) ImGui::TableSetupColumn(name);
   ImGui::TableHeadersRow();
   for (int k = 1; k <= 5; ++k) {
     const RolloutSummary& summary = around[static_cast<std::size_t>(k - 1)];

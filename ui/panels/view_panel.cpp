@@ -153,9 +153,9 @@ void ViewPanel::take_mouse(Ui& ui, const WorkbenchState& state, bool hovered, Re
   const ImGuiIO& io = ImGui::GetIO();
   scene::OrbitCamera orbit = shown_orbit(state);
   bool moved = false;
-  const auto dragged = [](int mouse_button) {
-    return ImGui::IsItemActive() && ImGui::IsMouseDragging(mouse_button, 0.0F);
-  };
+  // The way to where the button went down is no part of the drag.
+  const bool begun = ImGui::IsItemActive() && !ImGui::IsItemActivated();
+  const auto dragged = [begun](int mouse_button) { return begun && ImGui::IsMouseDragging(mouse_button, 0.0F); };
   if ((io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F) && dragged(0) && !io.KeyShift) {
     constexpr double kTurn_rad = 0.0075;
     orbit.orbit(-kTurn_rad * io.MouseDelta.x / ui.scale(), kTurn_rad * io.MouseDelta.y / ui.scale());

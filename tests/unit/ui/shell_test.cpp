@@ -199,6 +199,31 @@ TEST_CASE("the fields panel shows the goal's cell and a click cuts elsewhere") {
   CHECK(desk.last<workbench::SetField>()->settings.slices[2] == 10);
 }
 
+TEST_CASE("every menu opens, and an item of it does what it says") {
+  Desk desk(testing::made_state());
+  Driver driver = desk.driver();
+  for (const char* menu : {"File", "View", "Transport", "Help"}) {
+    CHECK(text_of(driver.click(std::string("Menu/") + menu)) == "");
+    CHECK(driver.frames(2));
+    CHECK(text_of(driver.expect_value(std::string("Menu/") + menu, "open")) == "");
+    CHECK(driver.key("Escape"));
+    CHECK(text_of(driver.expect_value(std::string("Menu/") + menu, "")) == "");
+  }
+  CHECK(text_of(driver.click("Menu/Edit")) == "");
+  CHECK(text_of(driver.click("Edit/Delete demonstration")) == "");
+  CHECK(desk.last<workbench::CommitEdit>() != nullptr);
+}
+
+TEST_CASE("a layer is chosen from the list") {
+  Desk desk(testing::made_state_with_model());
+  Driver driver = desk.driver();
+  CHECK(text_of(driver.click("Tabs/Fields")) == "");
+  CHECK(text_of(driver.click("Fields/Layer")) == "");
+  CHECK(text_of(driver.click("Layer/margin")) == "");
+  REQUIRE(desk.last<workbench::SetField>() != nullptr);
+  CHECK(desk.last<workbench::SetField>()->settings.layer == learning::Layer::kMargin);
+}
+
 TEST_CASE("no widget of any workspace is cut off, at 100 and at 150 per cent") {
   for (const float scale : {1.0F, 1.5F}) {
     Desk desk(testing::made_state_with_model(), scale);
