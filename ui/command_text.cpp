@@ -19,23 +19,20 @@ struct EditText {
   std::string project;
   std::string operator()(const AddDemonstration&) const { return ""; }
   std::string operator()(const AddModel&) const { return ""; }
-  std::string operator()(const RemoveDemonstration& edit) const {
-    return fmt::format("trocar demo remove {} {}", project, edit.demonstration.value);
-  }
-  std::string operator()(const RemoveModel& edit) const {
-    return fmt::format("trocar model remove {} {}", project, edit.model.value);
-  }
+  // The command line does not remove; there is nothing to copy.
+  std::string operator()(const RemoveDemonstration&) const { return ""; }
+  std::string operator()(const RemoveModel&) const { return ""; }
   std::string operator()(const EditDemonstration& edit) const {
     const std::string head = fmt::format("trocar demo edit {} {} ", project, edit.demonstration.value);
     if (const auto* trim = std::get_if<demonstration::Trim>(&edit.edit)) {
       return head + fmt::format("trim --from {:.3f} --to {:.3f}", trim->from_s, trim->to_s);
     }
     if (const auto* rename = std::get_if<demonstration::Rename>(&edit.edit)) {
-      return head + "rename --name " + shell_word(rename->name);
+      return head + "rename " + shell_word(rename->name);
     }
     const auto& label = std::get<demonstration::LabelSegment>(edit.edit);
-    return head + fmt::format("label --segment {} --from {:.3f} --to {:.3f}", demonstration::letter(label.label),
-                              label.from_s, label.to_s);
+    return head + fmt::format("label {} --from {:.3f} --to {:.3f}", demonstration::letter(label.label), label.from_s,
+                              label.to_s);
   }
 };
 

@@ -1,0 +1,252 @@
+#include "ui/command_rows.h"
+#include "ui/icons.h"
+#include "ui/idle.h"
+
+namespace trocar::ui {
+namespace {
+
+using namespace workbench;
+using State = WorkbenchState;
+
+std::string cannot_record(const State& state) {
+  if (state.project == nullptr) return "No project is open";
+  return state.live ? "A transfer is being recorded" : "";
+}
+
+std::string cannot_edit(const State& state) {
+  return state.live ? "A transfer is being recorded" : no_demonstration(state);
+}
+
+std::string cannot_stop(const State& state) {
+  return state.live ? "" : "Nothing is being recorded";
+}
+
+std::string cannot_undo(const State& state) {
+  return state.undoable ? "" : "Nothing to undo";
+}
+
+std::string cannot_redo(const State& state) {
+  return state.redoable ? "" : "Nothing to redo";
+}
+
+std::string cannot_train(const State& state) {
+  if (state.project == nullptr) return "No project is open";
+  return state.project->demonstrations.empty() ? "There is no demonstration to learn from" : "";
+}
+
+std::string cannot_trim_idle(const State& state) {
+  if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
+  return idle_trim(*selected_demonstration(state)) ? "" : "Both ends move: there is nothing idle to trim";
+}
+
+Requests undo(const State&) {
+  return one(Command{Undo{}});
+}
+
+Requests redo(const State&) {
+  return one(Command{Redo{}});
+}
+
+Requests trim(const State& state, double from_s, double to_s) {
+  return one(Command{CommitEdit{EditDemonstration{state.demonstration, demonstration::Trim{from_s, to_s}}}});
+}
+
+Requests trim_in(const State& state) {
+  return trim(state, state.playhead_s, selected_demonstration(state)->end_s);
+}
+
+Requests trim_out(const State& state) {
+  return trim(state, selected_demonstration(state)->begin_s, state.playhead_s);
+}
+
+Requests trim_idle(const State& state) {
+  const auto gates = idle_trim(*selected_demonstration(state));
+  return gates ? trim(state, gates->from_s, gates->to_s) : Requests{};
+}
+
+Requests remove_demonstration(const State& state) {
+  return one(Command{CommitEdit{RemoveDemonstration{state.demonstration}}});
+}
+
+Requests remove_model(const State& state) {
+  return one(Command{CommitEdit{RemoveModel{state.model}}});
+}
+
+Requests verify(const State& state) {
+  return one(Command{VerifyReplay{state.demonstration}});
+}
+
+Requests stop_recording(const State&) {
+  return one(Command{StopRecording{true}});
+}
+
+Requests discard_recording(const State&) {
+  return one(Command{StopRecording{false}});
+}
+
+}  // namespace
+
+std::vector<CommandRow> file_rows() {
+  return {
+      {"file.new",
+       "File",
+       "New project…",
+       "Make an empty project file with the standard board",
+       icon::kFile,
+       {"Ctrl+N"},
+       false,
+       nullptr,
+       act<UiAction::kNewProject>},
+      {"file.open",
+       "File",
+       "Open project…",
+       "Open a project file",
+       icon::kFolder,
+       {"Ctrl+O"},
+       false,
+       nullptr,
+       act<UiAction::kOpenProject>},
+      {"file.export_video",
+       "File",
+       "Export video…",
+       "Film the selected demonstration",
+       icon::kFilm,
+       {"Ctrl+E"},
+       true,
+       no_demonstration,
+       act<UiAction::kShowExportVideo>},
+      {"file.export_field",
+       "File",
+       "Export field…",
+       "Write the shown field as a figure or as numbers",
+       icon::kDownload,
+       {"Ctrl+Shift+E"},
+       false,
+       no_model,
+       act<UiAction::kShowExportField>},
+      {"file.quit",
+       "File",
+       "Quit",
+       "Close the window; all work is already saved",
+       nullptr,
+       {"Ctrl+Q"},
+       true,
+       nullptr,
+       act<UiAction::kQuit>},
+  };
+}
+
+std::vector<CommandRow> edit_rows() {
+  return {
+      {"edit.undo",
+       "Edit",
+       "Undo",
+       "Go back one step in the history",
+       icon::kUndo,
+       {"Ctrl+Z"},
+       false,
+       cannot_undo,
+       undo},
+      {"edit.redo",
+       "Edit",
+       "Redo",
+       "Go forward one step in the history",
+       icon::kRedo,
+       {"Ctrl+Shift+Z", "Ctrl+Y"},
+       false,
+       cannot_redo,
+       redo},
+      {"edit.trim_in",
+       "Edit",
+       "Trim in at playhead",
+       "Leave out what is before the playhead; the recording keeps it",
+       icon::kCut,
+       {"I"},
+       true,
+       cannot_edit,
+       trim_in},
+      {"edit.trim_out",
+       "Edit",
+       "Trim out at playhead",
+       "Leave out what is after the playhead; the recording keeps it",
+       icon::kCut,
+       {"O"},
+       false,
+       cannot_edit,
+       trim_out},
+      {"edit.trim_idle",
+       "Edit",
+       "Trim idle",
+       "Leave out both ends where no arm moves",
+       icon::kCut,
+       {"Ctrl+Shift+T"},
+       false,
+       cannot_trim_idle,
+       trim_idle},
+      {"edit.remove_demonstration",
+       "Edit",
+       "Delete demonstration",
+       "Take the selected demonstration out of the project; undo brings it back",
+       icon::kTrash,
+       {"Delete"},
+       true,
+       cannot_edit,
+       remove_demonstration},
+      {"edit.remove_model",
+       "Edit",
+       "Delete model",
+       "Take the selected model out of the project; undo brings it back",
+       icon::kTrash,
+       {"Shift+Delete"},
+       false,
+       no_model,
+       remove_model},
+      {"demo.record",
+       "Edit",
+       "Record…",
+       "Let the scripted operators carry out a transfer in the simulator and record it",
+       icon::kRecord,
+       {"R"},
+       true,
+       cannot_record,
+       act<UiAction::kShowRecord>},
+      {"demo.stop",
+       "Edit",
+       "Stop and keep",
+       "End the recording and put it into the project",
+       icon::kStop,
+       {"Shift+R"},
+       false,
+       cannot_stop,
+       stop_recording},
+      {"demo.discard",
+       "Edit",
+       "Stop and discard",
+       "End the recording and throw it away",
+       icon::kCross,
+       {"Shift+Backspace"},
+       false,
+       cannot_stop,
+       discard_recording},
+      {"demo.verify",
+       "Edit",
+       "Verify replay",
+       "Simulate the recorded input again and compare every state hash",
+       icon::kVerify,
+       {"Ctrl+R"},
+       false,
+       no_demonstration,
+       verify},
+      {"model.train",
+       "Edit",
+       "Train…",
+       "Learn from demonstrations",
+       icon::kTrain,
+       {"T"},
+       false,
+       cannot_train,
+       show<PanelId::kTrain>},
+  };
+}
+
+}  // namespace trocar::ui

@@ -1,0 +1,342 @@
+#include "ui/command_rows.h"
+#include "ui/icons.h"
+#include "ui/timeline_steps.h"
+
+namespace trocar::ui {
+namespace {
+
+using namespace workbench;
+using State = WorkbenchState;
+
+template <Workspace workspace>
+Requests workspace_(const State&) {
+  return {ShowWorkspace{workspace}};
+}
+
+template <scene::CameraPreset preset>
+Requests camera_(const State&) {
+  return one(Command{SetCameraPreset{preset}});
+}
+
+Requests play(const State& state) {
+  return one(Command{Play{state.play_speed == 0.0 ? 1.0 : 0.0}});
+}
+
+template <int steps>
+Requests step_samples(const State& state) {
+  return one(Command{SetPlayhead{stepped(*selected_demonstration(state), state.playhead_s, steps)}});
+}
+
+template <int direction>
+Requests step_marker(const State& state) {
+  return one(Command{SetPlayhead{next_boundary(*selected_demonstration(state), state.playhead_s, direction)}});
+}
+
+Requests to_begin(const State& state) {
+  return one(Command{SetPlayhead{selected_demonstration(state)->begin_s}});
+}
+
+Requests to_end(const State& state) {
+  return one(Command{SetPlayhead{selected_demonstration(state)->end_s}});
+}
+
+Requests ghosts(const State& state) {
+  RolloutSettings settings = state.rollouts;
+  settings.ghosts = !settings.ghosts;
+  return one(Command{SetRollouts{settings}});
+}
+
+Requests field_visible(const State& state) {
+  FieldSettings settings = state.field;
+  settings.visible = !settings.visible;
+  return one(Command{SetField{settings}});
+}
+
+}  // namespace
+
+std::vector<CommandRow> view_rows() {
+  return {
+      {"view.library",
+       "View",
+       "Library workspace",
+       "Demonstrations and models at full width",
+       nullptr,
+       {"Ctrl+1"},
+       false,
+       nullptr,
+       workspace_<Workspace::kLibrary>},
+      {"view.author",
+       "View",
+       "Author workspace",
+       "View and timeline to record and edit",
+       nullptr,
+       {"Ctrl+2"},
+       false,
+       nullptr,
+       workspace_<Workspace::kAuthor>},
+      {"view.fields",
+       "View",
+       "Fields workspace",
+       "What was learned, cell by cell",
+       nullptr,
+       {"Ctrl+3"},
+       false,
+       nullptr,
+       workspace_<Workspace::kFields>},
+      {"view.rollouts",
+       "View",
+       "Rollouts workspace",
+       "What the agent does from perturbed starts",
+       nullptr,
+       {"Ctrl+4"},
+       false,
+       nullptr,
+       workspace_<Workspace::kRollouts>},
+      {"view.camera_paper",
+       "View",
+       "Paper camera",
+       "The view of the paper's figures",
+       icon::kCamera,
+       {"Alt+1"},
+       true,
+       nullptr,
+       camera_<scene::CameraPreset::kPaper>},
+      {"view.camera_top",
+       "View",
+       "Top camera",
+       "Straight down",
+       icon::kCamera,
+       {"Alt+2"},
+       false,
+       nullptr,
+       camera_<scene::CameraPreset::kTop>},
+      {"view.camera_side",
+       "View",
+       "Side camera",
+       "Along y",
+       icon::kCamera,
+       {"Alt+3"},
+       false,
+       nullptr,
+       camera_<scene::CameraPreset::kSide>},
+      {"view.camera_front",
+       "View",
+       "Front camera",
+       "Along x",
+       icon::kCamera,
+       {"Alt+4"},
+       false,
+       nullptr,
+       camera_<scene::CameraPreset::kFront>},
+      {"view.field",
+       "View",
+       "Field in the view",
+       "Show or hide the field in the 3-D view",
+       icon::kThLarge,
+       {"Shift+F"},
+       true,
+       no_model,
+       field_visible},
+      {"view.ghosts",
+       "View",
+       "Ghosts in the view",
+       "Show or hide the agent's paths in the 3-D view",
+       icon::kRoad,
+       {"G"},
+       false,
+       no_model,
+       ghosts},
+      {"view.scale_up",
+       "View",
+       "Larger text",
+       "Scale everything up, to 300 % at most",
+       nullptr,
+       {"Ctrl+="},
+       true,
+       nullptr,
+       act<UiAction::kScaleUp>},
+      {"view.scale_down",
+       "View",
+       "Smaller text",
+       "Scale everything down, to 75 % at least",
+       nullptr,
+       {"Ctrl+-"},
+       false,
+       nullptr,
+       act<UiAction::kScaleDown>},
+      {"view.scale_reset",
+       "View",
+       "Normal text",
+       "Scale to 100 %",
+       nullptr,
+       {"Ctrl+0"},
+       false,
+       nullptr,
+       act<UiAction::kScaleReset>},
+      {"view.theme",
+       "View",
+       "Switch theme",
+       "Dark or light",
+       icon::kAdjust,
+       {},
+       false,
+       nullptr,
+       act<UiAction::kSwitchTheme>},
+      {"view.maximise",
+       "View",
+       "Maximise panel",
+       "Give the panel under the pointer the whole window, or its place back",
+       icon::kExpand,
+       {"Ctrl+Space"},
+       true,
+       nullptr,
+       act<UiAction::kMaximise>},
+      {"view.reset_layout",
+       "View",
+       "Reset layout",
+       "Put the panels of this workspace back in their places",
+       nullptr,
+       {},
+       false,
+       nullptr,
+       act<UiAction::kResetLayout>},
+  };
+}
+
+std::vector<CommandRow> transport_rows() {
+  return {
+      {"transport.play",
+       "Transport",
+       "Play or pause",
+       "Run the playhead in real time",
+       icon::kPlay,
+       {"Space"},
+       false,
+       no_demonstration,
+       play},
+      {"transport.forward",
+       "Transport",
+       "One sample forward",
+       "5 ms",
+       nullptr,
+       {"Right"},
+       false,
+       no_demonstration,
+       step_samples<1>},
+      {"transport.back",
+       "Transport",
+       "One sample back",
+       "5 ms",
+       nullptr,
+       {"Left"},
+       false,
+       no_demonstration,
+       step_samples<-1>},
+      {"transport.forward_10",
+       "Transport",
+       "Ten samples forward",
+       "50 ms",
+       nullptr,
+       {"Shift+Right"},
+       false,
+       no_demonstration,
+       step_samples<10>},
+      {"transport.back_10",
+       "Transport",
+       "Ten samples back",
+       "50 ms",
+       nullptr,
+       {"Shift+Left"},
+       false,
+       no_demonstration,
+       step_samples<-10>},
+      {"transport.next_segment",
+       "Transport",
+       "Next segment",
+       "To the next beginning of a segment",
+       nullptr,
+       {"Ctrl+Right"},
+       false,
+       no_demonstration,
+       step_marker<1>},
+      {"transport.last_segment",
+       "Transport",
+       "Previous segment",
+       "To the beginning of a segment before",
+       nullptr,
+       {"Ctrl+Left"},
+       false,
+       no_demonstration,
+       step_marker<-1>},
+      {"transport.begin",
+       "Transport",
+       "To the beginning",
+       "To the in gate",
+       icon::kToBegin,
+       {"Home"},
+       false,
+       no_demonstration,
+       to_begin},
+      {"transport.end",
+       "Transport",
+       "To the end",
+       "To the out gate",
+       icon::kToEnd,
+       {"End"},
+       false,
+       no_demonstration,
+       to_end},
+  };
+}
+
+std::vector<CommandRow> help_rows() {
+  return {
+      {"help.palette",
+       "Help",
+       "Command palette…",
+       "Find any command by its name",
+       icon::kSearch,
+       {"Ctrl+P", "Ctrl+K"},
+       false,
+       nullptr,
+       act<UiAction::kShowPalette>},
+      {"help.shortcuts",
+       "Help",
+       "Keyboard shortcuts…",
+       "Every key there is",
+       icon::kKeyboard,
+       {"F1", "Shift+/"},
+       false,
+       nullptr,
+       act<UiAction::kShowShortcuts>},
+      {"help.copy_command",
+       "Help",
+       "Copy last command",
+       "Copy the last act as a command line",
+       icon::kCopy,
+       {"Ctrl+Shift+C"},
+       false,
+       nullptr,
+       act<UiAction::kCopyCommand>},
+      {"help.log",
+       "Help",
+       "Show log",
+       "Bring the log to the front",
+       icon::kList,
+       {},
+       false,
+       nullptr,
+       show<PanelId::kLog>},
+      {"help.about",
+       "Help",
+       "About Trocar…",
+       "Version and what it stands on",
+       icon::kInfo,
+       {},
+       false,
+       nullptr,
+       act<UiAction::kShowAbout>},
+  };
+}
+
+}  // namespace trocar::ui
