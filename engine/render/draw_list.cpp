@@ -43,8 +43,8 @@ void add_opaque(const scene::Scene& scene, MeshCache& cache, DrawList& list) {
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Group& a, const Group& b) { return a.mesh->radius_m < b.mesh->radius_m; });
   for (const Group& group : groups) {
-    list.opaque.push_back(
-        {group.mesh, list.instances.size(), group.casters.size() + group.others.size(), group.casters.size()});
+    list.opaque.push_back({group.mesh, list.instances.size(), group.casters.size() + group.others.size(),
+                           group.casters.size(), group.matte});
     for (const std::size_t i : group.casters) list.instances.push_back(instance_of(scene.nodes[i]));
     for (const std::size_t i : group.others) list.instances.push_back(instance_of(scene.nodes[i]));
   }

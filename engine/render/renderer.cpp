@@ -73,11 +73,15 @@ void Renderer::Impl::draw_shadows(const DrawList& list, const View& view) const 
   gl.CullFace(GL_BACK);
   gl.FrontFace(GL_CW);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
+  // The outermost texels stay as cleared: they stand for all that is beyond.
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(1, 1, ShadowMap::kSize - 2, ShadowMap::kSize - 2);
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   gl.PolygonOffset(1.5F, 4.0F);
   programs.use_shadow(gl, view);
   for (const Batch& batch : list.opaque) draw_batch(batch, batch.caster_count);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
+  gl.Disable(GL_SCISSOR_TEST);
 }
 
 void Renderer::Impl::draw_opaque(const DrawList& list, const View& view, const scene::Scene& scene,

@@ -33,10 +33,10 @@ inline scene::Material drawn(Rgba colour) {
 }
 
 inline scene::Material board() {
-  return material({72, 78, 89, 255}, 0.92F, 0.0F);
+  return material({79, 85, 95, 255}, 0.92F, 0.0F);
 }
 inline scene::Material table() {
-  scene::Material made = material({56, 60, 68, 255}, 0.95F, 0.0F);
+  scene::Material made = material({65, 68, 76, 255}, 0.95F, 0.0F);
   made.casts_shadow = false;
   return made;
 }
