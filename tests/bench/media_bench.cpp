@@ -1,4 +1,4 @@
-// What a film costs: one 1280 × 720 frame handed to the encoder, which works in its own thread.
+// What encoding costs: one 1280 × 720 frame handed to the encoder, which works in its own thread.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -44,6 +44,6 @@ void video_frame(benchmark::State& state) {
   std::error_code ignored;
   std::filesystem::remove(path, ignored);
 }
-BENCHMARK(video_frame)->Name("video_frame_1280x720")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(video_frame)->Name("video_encode_1280x720")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
