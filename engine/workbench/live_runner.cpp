@@ -12,7 +12,10 @@ using std::chrono::duration;
 }  // namespace
 
 LiveRunner::LiveRunner(trial::TransferSession session, bool realtime)
-    : session_(std::move(session)), realtime_(realtime), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+    : session_(std::move(session)), realtime_(realtime) {
+  show(0, 0.0);  // there is a world to look at before the first tick
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
 
 LiveRunner::~LiveRunner() = default;  // jthread asks it to stop and joins
 
@@ -46,6 +49,17 @@ void LiveRunner::run(const std::stop_token& stop) {
     if (!hand_over(std::move(batch), stop) || last) return;
     if (realtime_ && simulated_s > wall_s) std::this_thread::sleep_for(duration<double>(simulated_s - wall_s));
   }
+}
+
+void LiveRunner::show(std::int64_t samples, double wall_s) {
+  const double simulated_s = session_.state().tick.seconds();
+  views_.back() = {session_.state(),
+                   session_.segment(),
+                   session_.authority(),
+                   simulated_s,
+                   samples,
+                   wall_s > 0.0 ? simulated_s / wall_s : 0.0};
+  views_.publish();
 }
 
 bool LiveRunner::hand_over(LiveBatch batch, const std::stop_token& stop) {

@@ -52,6 +52,7 @@ class LiveRunner {
 
  private:
   void run(const std::stop_token& stop);
+  void show(std::int64_t samples, double wall_s);
   bool hand_over(LiveBatch batch, const std::stop_token& stop);
 
   trial::TransferSession session_;

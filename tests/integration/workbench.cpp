@@ -75,6 +75,8 @@ TEST_CASE("a discarded recording leaves no demonstration") {
   Bench bench;
   bench.workbench.post(RecordScripted{{}, "", true});
   bench.workbench.poll();
+  REQUIRE(bench.state().live);
+  CHECK(bench.state().live->world.blocks[0].X_WK.p.z() > 0.0);  // a world, from the first frame on
   bench.run(StopRecording{false});
   CHECK(bench.state().project->demonstrations.empty());
   CHECK_FALSE(bench.state().live);

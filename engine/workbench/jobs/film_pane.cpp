@@ -62,7 +62,8 @@ FilmPane::FilmPane(std::shared_ptr<const demonstration::Demonstration> shown, co
 Result<Image> FilmPane::frame(Studio& studio, double elapsed_s) {
   const double at_s = std::min(shown_->begin_s + elapsed_s, shown_->end_s);
   ViewRequest view = view_of(*shown_, at_s, camera_);
-  view.render = {look_.width, look_.height, 1, true, true};
+  // One shadow tap: what moves hides the difference, and the encoder needs the other core.
+  view.render = {look_.width, look_.height, 1, true, false};
   TROCAR_ASSIGN_OR_RETURN(Image picture, studio.picture(view));
   if (look_.captions) overlay_.draw(picture, caption_of(*shown_, at_s, look_.speed));
   return picture;

@@ -1,0 +1,63 @@
+"""The window: every script of tests/gui without a display, and once a real window under a virtual X server."""
+import os
+import pathlib
+import shutil
+import subprocess
+import time
+import unittest
+
+from cli_support import DONE, TROCAR, CommandLineTest
+
+SCRIPTS = sorted((pathlib.Path(__file__).resolve().parent.parent / "gui").glob("*.ui"))
+WORKBENCH = pathlib.Path(TROCAR).with_name("trocar-workbench")
+
+
+class GuiScriptsTest(CommandLineTest):
+    def test_every_script_runs_to_its_end(self):
+        self.assertTrue(SCRIPTS)
+        for script in SCRIPTS:
+            with self.subTest(script=script.name):
+                picture = self.folder / (script.stem + ".png")
+                self.answer("ui", "run", "--project", self.recorded_project(), "--script", script, "--screenshot", picture,
+                            code=DONE)
+                self.assertGreater(picture.stat().st_size, 10_000)
+
+
+@unittest.skipUnless(WORKBENCH.exists() and shutil.which("Xvfb") and shutil.which("xdotool"),
+                     "needs trocar-workbench, Xvfb and xdotool")
+class RealWindowTest(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        read_end, write_end = os.pipe()
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+                                       pass_fds=[write_end], stderr=subprocess.DEVNULL)
+        os.close(write_end)
+        self.addCleanup(self.server.wait)
+        self.addCleanup(self.server.terminate)
+        with os.fdopen(read_end) as answer:
+            self.display = ":" + answer.readline().strip()
+
+    def xdotool(self, *arguments):
+        return subprocess.run(["xdotool", *arguments], capture_output=True, text=True, timeout=60,
+                              env={**os.environ, "DISPLAY": self.display})
+
+    def test_a_window_opens_and_closes_on_its_key(self):
+        environment = {**os.environ, "DISPLAY": self.display, "XDG_CONFIG_HOME": str(self.folder)}
+        window = subprocess.Popen([WORKBENCH, self.recorded_project()], env=environment)
+        self.addCleanup(window.kill)
+        found = ""
+        deadline = time.monotonic() + 60
+        while not found and time.monotonic() < deadline and window.poll() is None:
+            found = self.xdotool("search", "--onlyvisible", "--name", "rocar").stdout.strip()
+            time.sleep(0.2)
+        self.assertTrue(found, "no window appeared")
+        # There is no window manager to tell when the window listens: ask again until it has heard.
+        while window.poll() is None and time.monotonic() < deadline:
+            self.xdotool("windowfocus", found.splitlines()[0])
+            self.xdotool("key", "--delay", "100", "ctrl+q")
+            time.sleep(1.0)
+        self.assertEqual(window.poll(), 0, "the window did not close on Ctrl+Q")
+
+
+if __name__ == "__main__":
+    unittest.main()
