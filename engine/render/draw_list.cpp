@@ -7,16 +7,8 @@
 namespace trocar::render {
 namespace {
 
-/// Closer to opaque than 8 bits can say.
-constexpr float kOpaque = 0.998F;
 /// From here on a highlight is not worth its cost.
 constexpr float kMatteRoughness = 0.9F;
-
-Instance instance_of(const scene::Node& node) {
-  const scene::Material& material = node.material;
-  return {node.X_WM.topRows<3>(), material.base_colour,
-          Eigen::Vector4f(material.roughness, material.metallic, material.emission, 0.0F)};
-}
 
 bool matte(const scene::Material& material) {
   return (material.roughness >= kMatteRoughness && material.metallic <= 0.0F) || material.emission >= 1.0F;
@@ -29,12 +21,14 @@ struct Group {
   std::vector<std::size_t> others;
 };
 
-void add_opaque(const scene::Scene& scene, MeshCache& cache, DrawList& list) {
+using Wanted = std::vector<std::uint8_t>;
+
+void add_opaque(const scene::Scene& scene, const Wanted& wanted, MeshCache& cache, DrawList& list) {
   std::vector<Group> groups;
   std::map<std::pair<const scene::Mesh*, bool>, std::size_t> group_of;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const scene::Node& node = scene.nodes[i];
-    if (node.mesh == nullptr || node.material.base_colour.w() < kOpaque) continue;
+    if (wanted[i] == 0 || node.material.base_colour.w() < kOpaqueFrom) continue;
     const auto [found, added] = group_of.try_emplace({node.mesh.get(), matte(node.material)}, groups.size());
     if (added) groups.push_back({&cache.mesh(node.mesh), matte(node.material), {}, {}});
     Group& group = groups[found->second];
@@ -61,17 +55,18 @@ double distance(const scene::Camera& camera, const Eigen::Vector3d& p_W) {
   return camera.orthographic ? from_eye.dot(camera.X_WC.q * Eigen::Vector3d::UnitZ()) : from_eye.squaredNorm();
 }
 
-std::vector<SeeThrough> see_through(const scene::Scene& scene, const scene::Camera& camera, MeshCache& cache) {
+std::vector<SeeThrough> see_through(const scene::Scene& scene, const scene::Camera& camera, const Wanted& wanted,
+                                    MeshCache& cache) {
   std::vector<SeeThrough> found;
-  for (const scene::Node& node : scene.nodes) {
-    const float alpha = node.material.base_colour.w();
-    if (node.mesh == nullptr || alpha >= kOpaque || alpha <= 0.0F) continue;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const scene::Node& node = scene.nodes[i];
+    if (wanted[i] == 0 || node.material.base_colour.w() >= kOpaqueFrom) continue;
     const Eigen::Vector3f centre = (node.X_WM * cache.mesh(node.mesh).centre.homogeneous()).head<3>();
     found.push_back({distance(camera, centre.cast<double>()), &node, -1});
   }
   for (std::size_t i = 0; i < scene.quads.size(); ++i) {
     const scene::Quad& quad = scene.quads[i];
-    if (quad.texture == nullptr || quad.texture->empty() || quad.opacity <= 0.0F) continue;
+    if (wanted[scene.nodes.size() + i] == 0) continue;
     const Eigen::Vector3f centre = quad.origin + 0.5F * (quad.u + quad.v);
     found.push_back({distance(camera, centre.cast<double>()), nullptr, static_cast<int>(i)});
   }
@@ -82,11 +77,12 @@ std::vector<SeeThrough> see_through(const scene::Scene& scene, const scene::Came
 
 }  // namespace
 
-DrawList make_draw_list(const scene::Scene& scene, const scene::Camera& camera, MeshCache& cache) {
+DrawList make_draw_list(const scene::Scene& scene, const scene::Camera& camera, MeshCache& cache,
+                        const Wanted& wanted) {
   DrawList list;
   list.instances.reserve(scene.nodes.size());
-  add_opaque(scene, cache, list);
-  for (const SeeThrough& item : see_through(scene, camera, cache)) {
+  add_opaque(scene, wanted, cache, list);
+  for (const SeeThrough& item : see_through(scene, camera, wanted, cache)) {
     if (item.node == nullptr) {
       list.blended.push_back({{}, item.quad});
       continue;

@@ -3,9 +3,10 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "engine/render/mesh_cache.h"
+#include "engine/render/items.h"
 #include "engine/scene/scene.h"
 
 namespace trocar::render {
@@ -31,7 +32,9 @@ struct DrawList {
   std::vector<BlendStep> blended;
 };
 
-/// Puts the meshes into the cache. Nodes without a mesh and quads without a picture are left out.
-DrawList make_draw_list(const scene::Scene& scene, const scene::Camera& camera, MeshCache& cache);
+/// Of the scene's nodes and then its quads, those marked in `wanted`. Precondition: something of these is to be drawn
+/// (`Item::source`).
+DrawList make_draw_list(const scene::Scene& scene, const scene::Camera& camera, MeshCache& cache,
+                        const std::vector<std::uint8_t>& wanted);
 
 }  // namespace trocar::render

@@ -36,8 +36,12 @@ FrameTarget::Buffers FrameTarget::make(int samples, bool with_depth) const {
   return buffers;
 }
 
+bool FrameTarget::is(int width, int height, int samples) const {
+  return width == width_ && height == height_ && samples == samples_;
+}
+
 Status FrameTarget::bind(int width, int height, int samples) {
-  if (width != width_ || height != height_ || samples != samples_) {
+  if (!is(width, height, samples)) {
     release();
     width_ = width;
     height_ = height;
@@ -54,16 +58,22 @@ Status FrameTarget::bind(int width, int height, int samples) {
   return {};
 }
 
-Image FrameTarget::read() const {
+Image FrameTarget::read(const std::vector<PixelBox>& drawn) const {
   GLuint frame = drawn_.frame;
   if (samples_ > 1) {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.frame);
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.frame);
-    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    for (const PixelBox& box : drawn) {
+      gl_.BlitFramebuffer(box.left, box.top, box.right, box.bottom, box.left, box.top, box.right, box.bottom,
+                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
     frame = resolved_.frame;
   }
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, frame);
-  Image image(width_, height_);
+  Image image;
+  image.width = width_;
+  image.height = height_;
+  image.rgba.resize(std::size_t{4} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   return image;

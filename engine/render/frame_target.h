@@ -1,9 +1,12 @@
 /// Where pictures and shadows are drawn: frame buffers that follow the asked size.
 #pragma once
 
+#include <vector>
+
 #include "engine/core/image.h"
 #include "engine/core/result.h"
 #include "engine/render/gl_functions.h"
+#include "engine/render/items.h"
 
 namespace trocar::render {
 
@@ -15,11 +18,12 @@ class FrameTarget {
   FrameTarget(const FrameTarget&) = delete;
   FrameTarget& operator=(const FrameTarget&) = delete;
 
-  /// Makes it `width` × `height` with that many samples (keeps it if it is) and binds it.
+  bool is(int width, int height, int samples) const;
+  /// Makes it `width` × `height` with that many samples (keeps it and what is on it if it is) and binds it.
   /// Errors: kUnsupported if the driver cannot.
   Status bind(int width, int height, int samples);
-  /// The picture, row 0 as the driver's lowest.
-  Image read() const;
+  /// The picture, row 0 as the driver's lowest; `drawn` holds what was drawn on since the last call.
+  Image read(const std::vector<PixelBox>& drawn) const;
 
  private:
   struct Buffers {

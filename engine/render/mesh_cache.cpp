@@ -37,7 +37,28 @@ void measure(const scene::Mesh& mesh, GpuMesh& gpu) {
     high = high.cwiseMax(p);
   }
   gpu.centre = 0.5F * (low + high);
-  gpu.radius_m = 0.5F * (high - low).norm();
+  gpu.half_size = 0.5F * (high - low);
+  gpu.radius_m = gpu.half_size.norm();
+}
+
+std::vector<Eigen::Vector4f> sides_of(const scene::Mesh& mesh) {
+  constexpr std::size_t kMostIndices = 1200;
+  constexpr float kFlat_m = 2e-6F;
+  std::vector<Eigen::Vector4f> sides;
+  if (mesh.indices.size() > kMostIndices) return sides;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Eigen::Vector3f& a = mesh.positions[mesh.indices[i]];
+    const Eigen::Vector3f area =
+        (mesh.positions[mesh.indices[i + 1]] - a).cross(mesh.positions[mesh.indices[i + 2]] - a);
+    if (!(area.norm() > 0.0F)) continue;
+    const Eigen::Vector3f n = area.normalized();
+    const float d = -n.dot(a);
+    for (const Eigen::Vector3f& p : mesh.positions) {
+      if (n.dot(p) + d > kFlat_m) return {};
+    }
+    sides.emplace_back(n.x(), n.y(), n.z(), d);
+  }
+  return sides;
 }
 
 GpuMesh upload(const GlFunctions& gl, const scene::Mesh& mesh) {
@@ -63,6 +84,7 @@ GpuMesh upload(const GlFunctions& gl, const scene::Mesh& mesh) {
   }
   gpu.index_count = static_cast<GLsizei>(mesh.indices.size());
   measure(mesh, gpu);
+  gpu.sides = sides_of(mesh);
   return gpu;
 }
 
@@ -102,21 +124,25 @@ MeshCache::MeshCache(const GlFunctions& gl) : gl_(gl) {}
 
 MeshCache::~MeshCache() {
   for (const auto& [key, entry] : meshes_) free_mesh(gl_, entry.mesh);
-  for (const auto& [key, entry] : textures_) gl_.DeleteTextures(1, &entry.name);
+  for (const auto& [key, entry] : textures_) gl_.DeleteTextures(1, &entry.texture.name);
 }
 
 const GpuMesh& MeshCache::mesh(const std::shared_ptr<const scene::Mesh>& mesh) {
   TROCAR_CHECK(mesh != nullptr);
   const auto found = meshes_.find(mesh.get());
   if (found != meshes_.end()) return found->second.mesh;
-  return meshes_.emplace(mesh.get(), MeshEntry{mesh, upload(gl_, *mesh)}).first->second.mesh;
+  GpuMesh& made = meshes_.emplace(mesh.get(), MeshEntry{mesh, upload(gl_, *mesh)}).first->second.mesh;
+  made.serial = ++last_serial_;
+  return made;
 }
 
-GLuint MeshCache::texture(const std::shared_ptr<const Image>& image) {
+GpuTexture MeshCache::texture(const std::shared_ptr<const Image>& image) {
   TROCAR_CHECK(image != nullptr);
   const auto found = textures_.find(image.get());
-  if (found != textures_.end()) return found->second.name;
-  return textures_.emplace(image.get(), TextureEntry{image, upload(gl_, *image)}).first->second.name;
+  if (found != textures_.end()) return found->second.texture;
+  const GpuTexture made{++last_serial_, upload(gl_, *image)};
+  textures_.emplace(image.get(), TextureEntry{image, made});
+  return made;
 }
 
 void MeshCache::point_at_instances(std::size_t first) const {
@@ -143,7 +169,7 @@ void MeshCache::drop_unused() {
       ++entry;
       continue;
     }
-    gl_.DeleteTextures(1, &entry->second.name);
+    gl_.DeleteTextures(1, &entry->second.texture.name);
     entry = textures_.erase(entry);
   }
 }

@@ -86,7 +86,12 @@ View make_view(const scene::Scene& scene, const scene::Camera& camera, int width
   view.eye << eye.cast<float>(), camera.orthographic ? 0.0F : 1.0F;
   view.to_light = -along;
   view.shadow_texel_m = 2.0F * kShadowHalfWidth_m / static_cast<float>(ShadowMap::kSize);
+  view.width = width;
   view.height = height;
+  view.background_top = vector(scene.background_top);
+  view.background_bottom = vector(scene.background_bottom);
+  const float width_m = std::max(scene.fade_end_m - scene.fade_begin_m, 1e-6F);
+  view.fade = Vector3f(scene.fade_begin_m, 1.0F / width_m, 1.0F / static_cast<float>(height));
   return view;
 }
 
@@ -110,8 +115,7 @@ void Programs::release(const GlFunctions& gl) {
   *this = {};
 }
 
-void Programs::use_surface(const GlFunctions& gl, ShadowKind kind, bool matte, const View& view,
-                           const scene::Scene& scene) const {
+void Programs::use_surface(const GlFunctions& gl, ShadowKind kind, bool matte, const View& view) const {
   const Uniforms uniforms{gl, surface_[2 * static_cast<std::size_t>(kind) + (matte ? 1 : 0)]};
   gl.UseProgram(uniforms.program);
   uniforms.set("clip_from_world", view.clip_from_world);
@@ -121,10 +125,9 @@ void Programs::use_surface(const GlFunctions& gl, ShadowKind kind, bool matte, c
   uniforms.set("shadow_map", 0);
   uniforms.set("eye", view.eye);
   uniforms.set("to_light", view.to_light);
-  uniforms.set("background_top", vector(scene.background_top));
-  uniforms.set("background_bottom", vector(scene.background_bottom));
-  const float width_m = std::max(scene.fade_end_m - scene.fade_begin_m, 1e-6F);
-  uniforms.set("fade", Vector3f(scene.fade_begin_m, 1.0F / width_m, 1.0F / static_cast<float>(view.height)));
+  uniforms.set("background_top", view.background_top);
+  uniforms.set("background_bottom", view.background_bottom);
+  uniforms.set("fade", view.fade);
 }
 
 void Programs::use_shadow(const GlFunctions& gl, const View& view) const {
@@ -133,11 +136,11 @@ void Programs::use_shadow(const GlFunctions& gl, const View& view) const {
   uniforms.set("clip_from_world", view.shadow_clip_from_world);
 }
 
-void Programs::use_background(const GlFunctions& gl, const View& view, const scene::Scene& scene) const {
+void Programs::use_background(const GlFunctions& gl, const View& view) const {
   const Uniforms uniforms{gl, background_};
   gl.UseProgram(uniforms.program);
-  uniforms.set("background_top", vector(scene.background_top));
-  uniforms.set("background_bottom", vector(scene.background_bottom));
+  uniforms.set("background_top", view.background_top);
+  uniforms.set("background_bottom", view.background_bottom);
   uniforms.set("height_scale", 1.0F / static_cast<float>(view.height));
 }
 

@@ -20,7 +20,13 @@ struct View {
   Eigen::Vector4f eye;       ///< A point with w = 1, or the direction towards the viewer with w = 0.
   Eigen::Vector3f to_light;  ///< Unit.
   float shadow_texel_m = 0.0F;
+  int width = 0;
   int height = 0;
+  Eigen::Vector3f background_top;
+  Eigen::Vector3f background_bottom;
+  Eigen::Vector3f fade;  ///< Begin, 1 / width, 1 / picture height.
+
+  bool operator==(const View&) const = default;
 };
 /// Row 0 of the frame buffer is the top row of the picture, so that it is read without turning it over; front faces
 /// are then clockwise. Precondition: the scene's light direction is not zero.
@@ -33,10 +39,9 @@ class Programs {
   static Result<Programs> link(const GlFunctions& gl);
   void release(const GlFunctions& gl);
 
-  void use_surface(const GlFunctions& gl, ShadowKind kind, bool matte, const View& view,
-                   const scene::Scene& scene) const;
+  void use_surface(const GlFunctions& gl, ShadowKind kind, bool matte, const View& view) const;
   void use_shadow(const GlFunctions& gl, const View& view) const;
-  void use_background(const GlFunctions& gl, const View& view, const scene::Scene& scene) const;
+  void use_background(const GlFunctions& gl, const View& view) const;
   void use_quad(const GlFunctions& gl, const View& view, const scene::Quad& quad) const;
 
  private:

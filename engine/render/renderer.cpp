@@ -1,13 +1,18 @@
 #include "engine/render/renderer.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "engine/render/damage.h"
 #include "engine/render/draw_list.h"
 #include "engine/render/frame_target.h"
+#include "engine/render/items.h"
 #include "engine/render/mesh_cache.h"
 #include "engine/render/osmesa_context.h"
 #include "engine/render/programs.h"
+#include "engine/render/shadow_sweep.h"
 
 namespace trocar::render {
 namespace {
@@ -19,10 +24,55 @@ ShadowKind shadow_kind(const RenderOptions& options) {
   return options.soft_shadows ? ShadowKind::kSoft : ShadowKind::kHard;
 }
 
+/// A picture that stays where it was drawn, to be changed where the next one differs.
+struct Kept {
+  explicit Kept(const GlFunctions& gl) : target(gl) {}
+
+  FrameTarget target;
+  std::vector<Item> items;
+  std::optional<View> view;  ///< None while what is on the target is not known.
+  ShadowKind kind = ShadowKind::kNone;
+  std::uint64_t used = 0;
+};
+
+/// The coarse picture and the fine one.
+constexpr std::size_t kKept = 2;
+/// How far from where it falls a shadow darkens, in texels of the map: four taps, smoothed, looked up beside the
+/// surface.
+constexpr float kShadowReach_texels = 5.0F;
+
+/// What can differ between the picture of `before` and that of `now` from the same view.
+std::vector<PixelBox> damage(const std::vector<Item>& before, const std::vector<Item>& now, const scene::Scene& scene,
+                             MeshCache& cache, const View& view, ShadowKind kind) {
+  const Changes found = changes(before, now);
+  if (found.none()) return {};
+  Damage damage({view.clip_from_world, view.width, view.height});
+  const ShadowSweep sweep(scene, now, found, cache, -view.to_light, kShadowReach_texels * view.shadow_texel_m);
+  for (const std::vector<const Item*>* side : {&found.gone, &found.come}) {
+    for (const Item* item : *side) {
+      damage.add(item->corners);
+      if (kind != ShadowKind::kNone && item->casts_shadow) sweep.add(item->corners, damage);
+    }
+  }
+  return damage.boxes();
+}
+
+/// Marks the items that can be seen in a part of the window.
+template <typename Use>
+std::vector<std::uint8_t> within(const std::vector<Item>& items, const Window& window, const PixelBox& box, Use use) {
+  std::vector<std::uint8_t> marks(items.size(), 0);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].source == 0 || !use(items[i])) continue;
+    const std::optional<PixelBox> seen = bounds(items[i].corners, window);
+    marks[i] = !seen || seen->meets(box) ? 1 : 0;
+  }
+  return marks;
+}
+
 }  // namespace
 
 struct Renderer::Impl {
-  explicit Impl(OsmesaContext made) : context(std::move(made)), gl(context.gl()), cache(gl), frame(gl), shadow_map(gl) {
+  explicit Impl(OsmesaContext made) : context(std::move(made)), gl(context.gl()), cache(gl), shadow_map(gl) {
     gl.GenBuffers(1, &instance_buffer);
     gl.GenVertexArrays(1, &empty_array);
   }
@@ -34,21 +84,45 @@ struct Renderer::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
+  Result<Image> picture(const scene::Scene& scene, const scene::Camera& camera, const RenderOptions& options);
+  Kept& kept_for(const RenderOptions& options);
   void upload_instances(const DrawList& list) const;
   void draw_batch(const Batch& batch, std::size_t count) const;
-  void draw_shadows(const DrawList& list, const View& view) const;
-  void draw_opaque(const DrawList& list, const View& view, const scene::Scene& scene, ShadowKind kind) const;
+  void update_shadows(const scene::Scene& scene, const scene::Camera& camera, const std::vector<Item>& items,
+                      const View& view);
+  void draw_shadows(const DrawList& list, const View& view, const PixelBox& box, bool whole) const;
+  void draw_background(const View& view) const;
+  void draw_opaque(const DrawList& list, const View& view, ShadowKind kind, bool whole) const;
   void draw_blended(const DrawList& list, const View& view, const scene::Scene& scene, ShadowKind kind);
 
   OsmesaContext context;  // First in, last out: everything below lives in it.
   const GlFunctions& gl;
   MeshCache cache;
-  FrameTarget frame;
+  std::vector<std::unique_ptr<Kept>> kept;
+  std::uint64_t pictures = 0;
   ShadowMap shadow_map;
+  std::vector<Item> shadow_items;
+  std::optional<Eigen::Matrix4f> shadow_clip;  ///< None while what is on the map is not known.
   Programs programs;
   GLuint instance_buffer = 0;
   GLuint empty_array = 0;
 };
+
+Kept& Renderer::Impl::kept_for(const RenderOptions& options) {
+  ++pictures;
+  for (const auto& one : kept) {
+    if (!one->target.is(options.width, options.height, options.samples)) continue;
+    one->used = pictures;
+    return *one;
+  }
+  if (kept.size() == kKept) {
+    kept.erase(
+        std::min_element(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a->used < b->used; }));
+  }
+  kept.push_back(std::make_unique<Kept>(gl));
+  kept.back()->used = pictures;
+  return *kept.back();
+}
 
 void Renderer::Impl::upload_instances(const DrawList& list) const {
   gl.BindBuffer(GL_ARRAY_BUFFER, instance_buffer);
@@ -65,17 +139,46 @@ void Renderer::Impl::draw_batch(const Batch& batch, std::size_t count) const {
                            static_cast<GLsizei>(count));
 }
 
-void Renderer::Impl::draw_shadows(const DrawList& list, const View& view) const {
+void Renderer::Impl::update_shadows(const scene::Scene& scene, const scene::Camera& camera,
+                                    const std::vector<Item>& items, const View& view) {
+  const Window window{view.shadow_clip_from_world, ShadowMap::kSize, ShadowMap::kSize};
+  Damage damage(window);
+  const bool whole = !shadow_clip || *shadow_clip != view.shadow_clip_from_world;
+  if (whole) damage.add_all();
+  const Changes found = changes(shadow_items, items);
+  for (const std::vector<const Item*>* side : {&found.gone, &found.come}) {
+    for (const Item* item : *side) {
+      if (!whole && item->casts_shadow) damage.add(item->corners);
+    }
+  }
+  shadow_clip.reset();
+  for (const PixelBox& box : damage.boxes()) {
+    const DrawList list = make_draw_list(
+        scene, camera, cache, within(items, window, box, [](const Item& item) { return item.casts_shadow; }));
+    upload_instances(list);
+    draw_shadows(list, view, box, whole);
+  }
+  shadow_items = items;
+  shadow_clip = view.shadow_clip_from_world;
+}
+
+void Renderer::Impl::draw_shadows(const DrawList& list, const View& view, const PixelBox& box, bool whole) const {
   shadow_map.bind_for_drawing();
   gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LEQUAL);
   gl.DepthMask(GL_TRUE);
   gl.Enable(GL_CULL_FACE);
   gl.CullFace(GL_BACK);
   gl.FrontFace(GL_CW);
-  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  if (whole) gl.Clear(GL_DEPTH_BUFFER_BIT);
   // The outermost texels stay as cleared: they stand for all that is beyond.
+  const int left = std::max(box.left, 1);
+  const int low = std::max(box.top, 1);
+  const int right = std::min(box.right, ShadowMap::kSize - 1);
+  const int high = std::min(box.bottom, ShadowMap::kSize - 1);
   gl.Enable(GL_SCISSOR_TEST);
-  gl.Scissor(1, 1, ShadowMap::kSize - 2, ShadowMap::kSize - 2);
+  gl.Scissor(left, low, std::max(0, right - left), std::max(0, high - low));
+  if (!whole) gl.Clear(GL_DEPTH_BUFFER_BIT);
   gl.Enable(GL_POLYGON_OFFSET_FILL);
   gl.PolygonOffset(1.5F, 4.0F);
   programs.use_shadow(gl, view);
@@ -84,29 +187,39 @@ void Renderer::Impl::draw_shadows(const DrawList& list, const View& view) const 
   gl.Disable(GL_SCISSOR_TEST);
 }
 
-void Renderer::Impl::draw_opaque(const DrawList& list, const View& view, const scene::Scene& scene,
-                                 ShadowKind kind) const {
+void Renderer::Impl::draw_background(const View& view) const {
+  programs.use_background(gl, view);
+  gl.Disable(GL_CULL_FACE);
+  gl.BindVertexArray(empty_array);
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::Impl::draw_opaque(const DrawList& list, const View& view, ShadowKind kind, bool whole) const {
   gl.Disable(GL_BLEND);
   gl.Enable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_LEQUAL);
   gl.DepthMask(GL_TRUE);
+  if (whole) {
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+  } else {
+    // A part is cleared by drawing the background over it, at the greatest depth.
+    gl.DepthFunc(GL_ALWAYS);
+    draw_background(view);
+  }
+  gl.DepthFunc(GL_LEQUAL);
   gl.Enable(GL_CULL_FACE);
   gl.CullFace(GL_BACK);
   gl.FrontFace(GL_CW);
-  gl.Clear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
   gl.ActiveTexture(GL_TEXTURE0);
   gl.BindTexture(GL_TEXTURE_2D, shadow_map.texture());
   for (const bool matte : {false, true}) {
-    programs.use_surface(gl, kind, matte, view, scene);
+    programs.use_surface(gl, kind, matte, view);
     for (const Batch& batch : list.opaque) {
       if (batch.matte == matte) draw_batch(batch, batch.count);
     }
   }
-  programs.use_background(gl, view, scene);
   gl.DepthMask(GL_FALSE);
-  gl.Disable(GL_CULL_FACE);
-  gl.BindVertexArray(empty_array);
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  // Last, so that only what nothing hides is filled.
+  if (whole) draw_background(view);
 }
 
 void Renderer::Impl::draw_blended(const DrawList& list, const View& view, const scene::Scene& scene, ShadowKind kind) {
@@ -118,7 +231,7 @@ void Renderer::Impl::draw_blended(const DrawList& list, const View& view, const 
       if (!surface_in_use) {
         gl.BindTexture(GL_TEXTURE_2D, shadow_map.texture());
         gl.Enable(GL_CULL_FACE);
-        programs.use_surface(gl, kind, false, view, scene);
+        programs.use_surface(gl, kind, false, view);
       }
       surface_in_use = true;
       draw_batch(step.batch, step.batch.count);
@@ -127,12 +240,43 @@ void Renderer::Impl::draw_blended(const DrawList& list, const View& view, const 
     const scene::Quad& quad = scene.quads[static_cast<std::size_t>(step.quad)];
     surface_in_use = false;
     gl.Disable(GL_CULL_FACE);
-    gl.BindTexture(GL_TEXTURE_2D, cache.texture(quad.texture));
+    gl.BindTexture(GL_TEXTURE_2D, cache.texture(quad.texture).name);
     programs.use_quad(gl, view, quad);
     gl.BindVertexArray(empty_array);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
   gl.Disable(GL_BLEND);
+}
+
+Result<Image> Renderer::Impl::picture(const scene::Scene& scene, const scene::Camera& camera,
+                                      const RenderOptions& options) {
+  const View view = make_view(scene, camera, options.width, options.height);
+  const ShadowKind kind = shadow_kind(options);
+  std::vector<Item> items = items_of(scene, cache);
+  if (kind != ShadowKind::kNone) update_shadows(scene, camera, items, view);
+  Kept& one = kept_for(options);
+  TROCAR_RETURN_IF_ERROR(one.target.bind(options.width, options.height, options.samples));
+  const PixelBox all{0, 0, options.width, options.height};
+  const bool whole = one.view != view || one.kind != kind;
+  const std::vector<PixelBox> boxes = whole ? std::vector{all} : damage(one.items, items, scene, cache, view, kind);
+  one.view.reset();
+  const Window window{view.clip_from_world, view.width, view.height};
+  for (const PixelBox& box : boxes) {
+    const auto wanted = within(items, window, box, [](const Item&) { return true; });
+    const DrawList list = make_draw_list(scene, camera, cache, wanted);
+    upload_instances(list);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(box.left, box.top, box.right - box.left, box.bottom - box.top);
+    draw_opaque(list, view, kind, box.area() == all.area());
+    draw_blended(list, view, scene, kind);
+    gl.Disable(GL_SCISSOR_TEST);
+  }
+  Image image = one.target.read(boxes);
+  one.items = std::move(items);
+  one.view = view;
+  one.kind = kind;
+  cache.drop_unused();
+  return image;
 }
 
 Result<Renderer> Renderer::create() {
@@ -155,18 +299,7 @@ Result<Image> Renderer::draw(const scene::Scene& scene, const scene::Camera& cam
   if (options.samples != 1 && options.samples != 2 && options.samples != 4) {
     return fail(ErrorCode::kInvalidArgument, "a picture has 1, 2 or 4 samples a pixel");
   }
-  Impl& impl = *impl_;
-  const View view = make_view(scene, camera, options.width, options.height);
-  const DrawList list = make_draw_list(scene, camera, impl.cache);
-  const ShadowKind kind = shadow_kind(options);
-  impl.upload_instances(list);
-  if (kind != ShadowKind::kNone) impl.draw_shadows(list, view);
-  TROCAR_RETURN_IF_ERROR(impl.frame.bind(options.width, options.height, options.samples));
-  impl.draw_opaque(list, view, scene, kind);
-  impl.draw_blended(list, view, scene, kind);
-  Image image = impl.frame.read();
-  impl.cache.drop_unused();
-  return image;
+  return impl_->picture(scene, camera, options);
 }
 
 void Renderer::warm_up() {

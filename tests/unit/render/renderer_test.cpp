@@ -2,9 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
+#include "engine/core/random.h"
 #include "engine/scene/primitives.h"
 
 using namespace trocar;
@@ -223,4 +225,80 @@ TEST_CASE("a scene's picture does not depend on the address of its meshes") {
 
 TEST_CASE("the description names the software renderer and its OpenGL") {
   CHECK(renderer().description().find("OpenGL") != std::string::npos);
+}
+
+namespace {
+
+/// Everything is drawn anew after this: another eye, another light.
+void forget(const render::RenderOptions& options) {
+  scene::Scene other;
+  other.light_direction = {0.4F, 0.0F, -1.0F};
+  const scene::Camera camera = scene::Camera::look_at({0.1, 0.1, 0.1}, {0.0, 0.0, 0.0});
+  REQUIRE(renderer().draw(other, camera, options));
+}
+
+/// A floor, things that stand on it, and some of each kind that wander: opaque, see-through, a slice, a thing that
+/// comes and goes.
+scene::Scene wandering(Random& random, int step) {
+  static const auto kTexture = std::make_shared<const Image>(8, 8, Rgba{40, 200, 90, 120});
+  scene::Scene scene;
+  const auto somewhere = [&random](double half, double low, double high) {
+    return Vector3d(random.uniform(-half, half), random.uniform(-half, half), random.uniform(low, high));
+  };
+  scene.nodes.push_back(box({0, 0, -0.005}, {0.10F, 0.12F, 0.01F}, {0.6F, 0.6F, 0.6F, 1.0F}, 0.0F));
+  for (int i = 0; i < 4; ++i) {
+    scene.nodes.push_back(box({0.02 * i - 0.03, 0.015, 0.01}, {0.004F, 0.006F, 0.02F}, {0.2F, 0.5F, 0.9F, 1.0F}, 0.0F));
+    scene.nodes.back().material.metallic = i % 2 == 0 ? 1.0F : 0.0F;
+  }
+  if (step % 3 == 1) scene.nodes.push_back(box({0, -0.03, 0.003}, {0.02F, 0.02F, 0.006F}, kRed, 0.5F));
+  scene.nodes.push_back(box(somewhere(0.05, 0.01, 0.06), {0.01F, 0.02F, 0.008F}, {0.9F, 0.7F, 0.1F, 1.0F}, 0.0F));
+  scene.nodes.push_back(box(somewhere(0.03, 0.01, 0.03), {0.015F, 0.01F, 0.008F}, {0.9F, 0.2F, 0.8F, 0.5F}, 0.2F));
+  scene.nodes.push_back(box({0.02, -0.02, 0.02}, {0.015F, 0.01F, 0.008F}, {0.2F, 0.9F, 0.8F, 0.5F}, 0.2F));
+  const float x = step % 4 == 0 ? -0.02F : 0.01F;
+  scene.quads.push_back({{x, -0.03F, 0.002F}, {0.0F, 0.03F, 0.0F}, {0.0F, 0.0F, 0.02F}, kTexture, 0.8F});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a picture drawn only where it changed is to the byte the one drawn anew") {
+  Random random(7);
+  const std::array cameras{scene::Camera::look_at({0.15, 0.02, 0.12}, {0.0, 0.0, 0.0}),
+                           scene::Camera::look_at({0.03, 0.0, 0.02}, {0.0, 0.0, 0.01})};
+  for (const scene::Camera& camera : cameras) {
+    for (const render::RenderOptions options :
+         {render::RenderOptions{320, 200, 1, true, false}, render::RenderOptions{320, 200, 4, true, true},
+          render::RenderOptions{320, 200, 1, false, false}}) {
+      forget(options);
+      for (int step = 0; step < 12; ++step) {
+        const scene::Scene scene = wandering(random, step);
+        const Result<Image> changed = renderer().draw(scene, camera, options);
+        REQUIRE(changed);
+        if (step % 2 == 0) continue;  // So that changes on top of changes are met too.
+        forget(options);
+        const Result<Image> anew = renderer().draw(scene, camera, options);
+        REQUIRE(anew);
+        CHECK(*changed == *anew);
+      }
+    }
+  }
+}
+
+TEST_CASE("a thing that moves takes its shadow along, from wherever the last picture left it") {
+  scene::Scene scene;
+  scene.light_direction = {0.0F, -1.0F, -1.0F};
+  scene.nodes.push_back(box({0, 0, -0.005}, {0.1F, 0.1F, 0.01F}, {0.8F, 0.8F, 0.8F, 1.0F}, 0.0F));
+  const Image empty = draw(scene);
+  scene.nodes.push_back(box({0, 0.01, 0.03}, {0.01F, 0.01F, 0.01F}, {0.8F, 0.8F, 0.8F, 1.0F}, 0.0F));
+  const auto at = [](const Image& image, double y_m) {
+    const Vector3d pixel = from_above().project({0.0, y_m, 0.0}, 160, 90);
+    return image.at(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+  };
+  CHECK(at(draw(scene), -0.020).g < at(empty, -0.020).g - 40);
+  scene.nodes.back().X_WM(1, 3) += 0.02F;
+  const Image moved = draw(scene);
+  CHECK(at(moved, -0.020) == at(empty, -0.020));
+  CHECK(at(moved, 0.0).g < at(empty, 0.0).g - 40);
+  scene.nodes.pop_back();
+  CHECK(draw(scene) == empty);
 }
