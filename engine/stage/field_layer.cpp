@@ -167,7 +167,11 @@ void add_voxels(const Meshes& meshes, const FieldLayer& layer, scene::Scene& sce
 std::optional<Rgba> colour_of(const FieldLayer& layer, spatial::CellIndex cell) {
   const double value = layer.field->values[static_cast<std::size_t>(cell.value)];
   if (!std::isfinite(value)) return std::nullopt;
-  if (layer.field->categorical) return plot::category(static_cast<int>(std::lround(value)));
+  if (layer.field->categorical) {
+    const long number = std::lround(value);
+    const bool listed = number >= 0 && static_cast<std::size_t>(number) < layer.categories.size();
+    return listed ? layer.categories[static_cast<std::size_t>(number)] : plot::category(static_cast<int>(number));
+  }
   return plot::colour(layer.map, layer.scale.position(value));
 }
 

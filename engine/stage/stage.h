@@ -45,6 +45,7 @@ struct FieldLayer {
   plot::ColourMap map = plot::ColourMap::kViridis;
   plot::Scale scale;
   float opacity = 0.85F;
+  std::vector<Rgba> categories;  ///< Of a categorical field, by class; `plot::category` beyond its end.
 };
 
 struct StageOptions {
@@ -74,7 +75,7 @@ class Stage {
 PathLayer path_of(const demonstration::Demonstration& demonstration, kinematics::ArmSide side);
 Rgba segment_colour(demonstration::Segment segment);
 
-/// Draws the scene's labels over the picture that `camera` made of it.
+/// The picture with the scene's labels, as a fresh `LabelPainter` draws them.
 Image with_labels(const Image& picture, const scene::Scene& scene, const scene::Camera& camera);
 
 }  // namespace trocar::stage

@@ -18,8 +18,8 @@ Result<Image> Studio::picture(const ViewRequest& request) {
   const scene::Scene scene =
       stage_->scene(request.pose, request.paths ? *request.paths : kNoPaths, request.fields, request.options);
   TROCAR_ASSIGN_OR_RETURN(Image image, renderer_.draw(scene, request.camera, request.render));
-  if (scene.labels.empty()) return image;
-  return stage::with_labels(image, scene, request.camera);
+  labels_.draw(image, scene, request.camera);
+  return image;
 }
 
 stage::Pose3d ready_stage() {
@@ -33,6 +33,7 @@ stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, cons
   layer.slices = settings.slices;
   layer.voxels = settings.voxels;
   layer.opacity = settings.opacity;
+  if (field->categorical) layer.categories = figure::category_colours(*field);
   layer.field = std::move(field);
   return layer;
 }

@@ -8,6 +8,7 @@
 #include "engine/core/result.h"
 #include "engine/render/renderer.h"
 #include "engine/scene/scene.h"
+#include "engine/stage/label_painter.h"
 #include "engine/stage/stage.h"
 #include "engine/workbench/command.h"
 
@@ -37,6 +38,7 @@ class Studio {
 
   std::shared_ptr<const stage::Stage> stage_;
   render::Renderer renderer_;
+  stage::LabelPainter labels_;
 };
 
 /// The scene before anything is recorded: arms at the ready pose, every block on its start peg.

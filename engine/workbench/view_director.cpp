@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
+
+#include "engine/figure/field_figure.h"
+#include "engine/learning/field.h"
 
 namespace trocar::workbench {
 namespace {
@@ -9,25 +13,21 @@ namespace {
 constexpr double kSettle_s = 0.150;
 constexpr double kLivePeriod_s = 1.0 / 15.0;
 
-Rgba ghost_colour(learning::RolloutEnd end) {
-  switch (end) {
-    case learning::RolloutEnd::kArrives:
-      return plot::category(2);
-    case learning::RolloutEnd::kLoops:
-      return plot::category(0);
-    case learning::RolloutEnd::kDeadEnd:
-    case learning::RolloutEnd::kOutsideSafeSet:
-      return plot::category(5);
-  }
-  return {};
+/// The colours in which figures and slices show the outcomes.
+std::vector<Rgba> outcome_colours() {
+  learning::Field outcomes;
+  outcomes.layer = learning::Layer::kBasin;
+  outcomes.categories.resize(static_cast<std::size_t>(learning::RolloutEnd::kOutsideSafeSet) + 1);
+  return figure::category_colours(outcomes);
 }
 
 void add_ghosts(const ModelInsight& insight, std::vector<stage::PathLayer>& paths) {
+  const std::vector<Rgba> colours = outcome_colours();
   for (const learning::Rollout& rollout : insight.ghosts) {
     if (rollout.cells.size() < 2) continue;
     stage::PathLayer path;
     path.radius_m = 0.00025;
-    path.colours = {ghost_colour(rollout.end)};
+    path.colours = {colours[static_cast<std::size_t>(rollout.end)]};
     for (const spatial::CellIndex cell : rollout.cells) path.points.push_back(insight.entry->model->grid.centre(cell));
     paths.push_back(std::move(path));
   }

@@ -1,5 +1,6 @@
 #include "ui/panels/field_shading.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,11 +12,15 @@ void FieldShading::update(std::shared_ptr<const learning::Field> field, plot::Sc
   kind_ = kind;
   map_ = figure::suggested_options(*field_).map;
   scale_ = plot::fit_scale(kind_, field_->values, map_ == plot::ColourMap::kDiverging);
+  categories_ = figure::category_colours(*field_);
   indices_.fill(-1);
 }
 
 Rgba FieldShading::colour(double value) const {
-  if (map_ == plot::ColourMap::kCategorical) return plot::category(static_cast<int>(std::lround(value)));
+  if (!categories_.empty()) {
+    const long last = static_cast<long>(categories_.size()) - 1;
+    return categories_[static_cast<std::size_t>(std::clamp(std::lround(value), 0L, last))];
+  }
   return plot::colour(map_, scale_.position(value));
 }
 

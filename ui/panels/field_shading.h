@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "engine/core/image.h"
 #include "engine/figure/field_figure.h"
@@ -32,6 +33,7 @@ class FieldShading {
   plot::ScaleKind kind_ = plot::ScaleKind::kLinear;
   plot::ColourMap map_ = plot::ColourMap::kViridis;
   plot::Scale scale_;
+  std::vector<Rgba> categories_;  ///< Empty unless the field has classes.
   std::array<Image, 3> slices_;
   std::array<int, 3> indices_{-1, -1, -1};
   std::array<std::uint64_t, 3> versions_{};

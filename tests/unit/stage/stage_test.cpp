@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "engine/peg_board/peg_board.h"
+#include "engine/scene/primitives.h"
 #include "engine/spatial/rotation.h"
+#include "engine/stage/field_layer.h"
+#include "engine/stage/label_painter.h"
 
 using namespace trocar;
 using Eigen::Vector3d;
@@ -322,4 +325,51 @@ TEST_CASE("two labels at one place are both legible: one gives way") {
   };
   const int single = ink(stage::with_labels(picture, one, camera));
   CHECK(ink(stage::with_labels(picture, two, camera)) > 1.9 * single);
+}
+
+TEST_CASE("a label behind a thing is left out, one in front of it or beside it is not") {
+  const scene::Camera camera = scene::Camera::look_at({0.2, 0.0, 0.05}, {0.0, 0.0, 0.05});
+  const Image picture(640, 360, {40, 40, 40, 255});
+  scene::Scene scene;
+  scene::Node wall;
+  wall.mesh = std::make_shared<const scene::Mesh>(scene::unit_cube());
+  wall.X_WM = scene::node_pose(spatial::Pose::translation({0.0, 0.0, 0.05}), {0.01F, 0.06F, 0.06F});
+  scene.nodes.push_back(wall);
+  const auto drawn = [&](const Vector3d& at) {
+    scene.labels = {{at, "S0"}};
+    return !(stage::with_labels(picture, scene, camera) == picture);
+  };
+  CHECK_FALSE(drawn({-0.02, 0.0, 0.05}));
+  CHECK(drawn({0.02, 0.0, 0.05}));
+  CHECK(drawn({-0.02, 0.06, 0.05}));
+  CHECK(drawn({0.005, 0.0, 0.05}));  // On the wall's near face.
+  scene.nodes[0].material.base_colour.w() = 0.3F;
+  CHECK(drawn({-0.02, 0.0, 0.05}));
+}
+
+TEST_CASE("a label painter gives the same picture whatever it wrote before") {
+  const scene::Camera camera = scene::camera(scene::CameraPreset::kPaper);
+  const Image ground(320, 180, {90, 60, 40, 255});
+  scene::Scene scene;
+  scene.labels = {{{-0.01, 0.0, 0.0}, "G3"}, {{-0.01, 0.02, 0.0}, "G3", {255, 0, 0, 255}}};
+  stage::LabelPainter painter;
+  Image first = ground;
+  painter.draw(first, scene, camera);
+  Image larger(640, 360);
+  painter.draw(larger, scene, camera);
+  Image again = ground;
+  painter.draw(again, scene, camera);
+  CHECK(again == first);
+  CHECK(first == stage::with_labels(ground, scene, camera));
+}
+
+TEST_CASE("the classes of a field have the colours that its layer names") {
+  auto field = std::make_shared<learning::Field>();
+  field->categorical = true;
+  field->values.assign(static_cast<std::size_t>(field->grid.cell_count()), 1.0);
+  stage::FieldLayer layer;
+  layer.field = field;
+  CHECK(stage::colour_of(layer, {0}) == plot::category(1));
+  layer.categories = {{1, 2, 3, 255}, {4, 5, 6, 255}};
+  CHECK(stage::colour_of(layer, {0}) == Rgba{4, 5, 6, 255});
 }
