@@ -199,9 +199,13 @@ FilmOverlay::~FilmOverlay() = default;
 FilmOverlay::FilmOverlay(FilmOverlay&&) noexcept = default;
 FilmOverlay& FilmOverlay::operator=(FilmOverlay&&) noexcept = default;
 
+int FilmOverlay::band_height() const {
+  return std::min(impl_->height, static_cast<int>(std::ceil(kBand * impl_->unit)));
+}
+
 void FilmOverlay::draw(Image& frame, const FrameCaption& caption) {
   TROCAR_CHECK(frame.width == impl_->width && frame.height == impl_->height);
-  const int band = std::min(frame.height, static_cast<int>(std::ceil(kBand * impl_->unit)));
+  const int band = band_height();
   impl_->draw_top(frame, caption);
   if (!caption.caption.empty()) {
     const TextStyle letters = impl_->style(22.0, Weight::kSemiBold, kWhite, Align::kCentre);

@@ -37,6 +37,8 @@ class FilmOverlay {
   FilmOverlay(FilmOverlay&&) noexcept;
   FilmOverlay& operator=(FilmOverlay&&) noexcept;
 
+  /// Rows at the foot that the captions cover from side to side: a picture above them is seen whole.
+  int band_height() const;
   /// Precondition: `frame` is of the overlay's size.
   void draw(Image& frame, const FrameCaption& caption);
 

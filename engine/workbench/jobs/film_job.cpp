@@ -47,7 +47,8 @@ std::vector<FilmPane> panes_of(const FilmJob& job) {
   const int count = static_cast<int>(job.demonstrations.size());
   std::vector<FilmPane> panes;
   for (const DemonstrationPointer& shown : job.demonstrations) {
-    panes.emplace_back(shown, FilmPane::Look{job.width / count, job.height, job.speed, job.camera, job.captions});
+    panes.emplace_back(shown,
+                       FilmPane::Look{job.width / count, job.height, job.speed, job.camera, job.captions, count == 1});
   }
   return panes;
 }

@@ -56,17 +56,24 @@ film::FrameCaption caption_of(const demonstration::Demonstration& shown, double 
 FilmPane::FilmPane(std::shared_ptr<const demonstration::Demonstration> shown, const Look& look)
     : shown_(std::move(shown)),
       look_(look),
-      camera_(fitted(scene::camera(look.camera), look.width, look.height)),
-      overlay_(look.width, look.height) {}
+      overlay_(look.width, look.height),
+      picture_height_(look.height - (look.captions ? overlay_.band_height() : 0)),
+      camera_(fitted(scene::camera(look.camera), look.width, std::max(1, picture_height_))) {}
 
 Result<Image> FilmPane::frame(Studio& studio, double elapsed_s) {
   const double at_s = std::min(shown_->begin_s + elapsed_s, shown_->end_s);
   ViewRequest view = view_of(*shown_, at_s, camera_);
   // One shadow tap: what moves hides the difference, and the encoder needs the other core.
-  view.render = {look_.width, look_.height, 1, true, false};
+  view.render = {look_.width, std::max(1, picture_height_), 1, true, false};
   TROCAR_ASSIGN_OR_RETURN(Image picture, studio.picture(view));
-  if (look_.captions) overlay_.draw(picture, caption_of(*shown_, at_s, look_.speed));
-  return picture;
+  if (!look_.captions) return picture;
+  // The captions' band is below the picture, not over it.
+  Image frame(look_.width, look_.height, {14, 17, 22, 255});
+  std::copy(picture.rgba.begin(), picture.rgba.end(), frame.rgba.begin());
+  film::FrameCaption caption = caption_of(*shown_, at_s, look_.speed);
+  if (!look_.title) caption.title.clear();
+  overlay_.draw(frame, caption);
+  return frame;
 }
 
 }  // namespace trocar::workbench

@@ -25,6 +25,7 @@ class FilmPane {
     double speed = 1.0;
     scene::CameraPreset camera = scene::CameraPreset::kPaper;
     bool captions = true;
+    bool title = true;  ///< Of the captions; not where the name is written anyhow.
   };
   FilmPane(std::shared_ptr<const demonstration::Demonstration> shown, const Look& look);
 
@@ -34,8 +35,9 @@ class FilmPane {
  private:
   std::shared_ptr<const demonstration::Demonstration> shown_;
   Look look_;
-  scene::Camera camera_;
   film::FilmOverlay overlay_;
+  int picture_height_;
+  scene::Camera camera_;
 };
 
 }  // namespace trocar::workbench
