@@ -15,27 +15,56 @@ layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 uv;
 layout(location = 2) in vec4 colour;
 uniform vec4 to_clip;
-out vec2 fragment_uv;
-out vec4 fragment_colour;
+// Nothing is farther away than anything else: without that division a pixel costs less.
+noperspective out vec2 fragment_uv;
+noperspective out vec4 fragment_colour;
+flat out vec4 one_colour;
 void main() {
   fragment_uv = uv;
   fragment_colour = colour;
+  one_colour = colour;
   gl_Position = vec4(position * to_clip.xy + to_clip.zw, 0.0, 1.0);
 }
 )";
 
 constexpr const char* kFragmentSource = R"(#version 330 core
 uniform sampler2D image;
-in vec2 fragment_uv;
-in vec4 fragment_colour;
+noperspective in vec2 fragment_uv;
+noperspective in vec4 fragment_colour;
 out vec4 result;
 void main() { result = fragment_colour * texture(image, fragment_uv); }
+)";
+
+/// What needs no texture is spared the look-up, which in software costs as much as the rest.
+constexpr const char* kPlainFragmentSource = R"(#version 330 core
+noperspective in vec4 fragment_colour;
+out vec4 result;
+void main() { result = fragment_colour; }
+)";
+
+constexpr const char* kSolidFragmentSource = R"(#version 330 core
+flat in vec4 one_colour;
+out vec4 result;
+void main() { result = one_colour; }
+)";
+
+constexpr const char* kPictureFragmentSource = R"(#version 330 core
+uniform sampler2D image;
+noperspective in vec2 fragment_uv;
+out vec4 result;
+void main() { result = texture(image, fragment_uv); }
 )";
 
 constexpr std::int64_t kKeptFrames = 120;
 
 ImTextureID to_id(GLuint name) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
+}
+
+bool opaque(const Image& image) {
+  std::uint8_t all = 0xFF;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) all &= image.rgba[i];
+  return all == 0xFF;
 }
 
 // Eight bytes at a time; equality of two frames is all that is asked of it.
@@ -64,8 +93,12 @@ Result<std::unique_ptr<GuiRenderer>> GuiRenderer::create(const render::GlFunctio
 }
 
 Status GuiRenderer::set_up() {
-  TROCAR_ASSIGN_OR_RETURN(program_, render::link_program(gl_, kVertexSource, kFragmentSource));
-  to_clip_ = gl_.GetUniformLocation(program_, "to_clip");
+  // In the order of `GuiLook`.
+  const std::array sources{kFragmentSource, kPlainFragmentSource, kSolidFragmentSource, kPictureFragmentSource};
+  for (std::size_t i = 0; i < programs_.size(); ++i) {
+    TROCAR_ASSIGN_OR_RETURN(programs_[i].name, render::link_program(gl_, kVertexSource, sources[i]));
+    programs_[i].to_clip = gl_.GetUniformLocation(programs_[i].name, "to_clip");
+  }
   gl_.GenVertexArrays(1, &array_);
   gl_.GenBuffers(1, &vertices_);
   gl_.GenBuffers(1, &indices_);
@@ -88,7 +121,9 @@ GuiRenderer::~GuiRenderer() {
   for (const GLuint buffer : {vertices_, indices_}) {
     if (buffer != 0) gl_.DeleteBuffers(1, &buffer);
   }
-  if (program_ != 0) gl_.DeleteProgram(program_);
+  for (const Program& program : programs_) {
+    if (program.name != 0) gl_.DeleteProgram(program.name);
+  }
 }
 
 void GuiRenderer::upload(Texture& texture, const Image& image, Sampling sampling) const {
@@ -121,6 +156,7 @@ void GuiRenderer::upload_fonts(ImFontAtlas& atlas) {
   Texture texture;
   upload(texture, image, Sampling::kNearest);
   font_texture_ = texture.name;
+  white_ = atlas.TexUvWhitePixel;
   ++uploads_;
   atlas.SetTexID(to_id(font_texture_));
 }
@@ -133,6 +169,11 @@ ImTextureID GuiRenderer::texture(std::string_view key, const Image& image, std::
       texture.name != 0 && texture.version == version && texture.width == image.width && texture.height == image.height;
   if (!same) {
     upload(texture, image, sampling);
+    if (opaque(image)) {
+      opaque_textures_.insert(texture.name);
+    } else {
+      opaque_textures_.erase(texture.name);
+    }
     texture.version = version;
     ++uploads_;
   }
@@ -143,7 +184,10 @@ ImTextureID GuiRenderer::texture(std::string_view key, const Image& image, std::
 void GuiRenderer::drop_unused_textures() {
   for (auto it = textures_.begin(); it != textures_.end();) {
     const bool unused = frame_ - it->second.last_used > kKeptFrames;
-    if (unused) gl_.DeleteTextures(1, &it->second.name);
+    if (unused) {
+      gl_.DeleteTextures(1, &it->second.name);
+      opaque_textures_.erase(it->second.name);
+    }
     it = unused ? textures_.erase(it) : std::next(it);
   }
 }
@@ -164,21 +208,37 @@ std::uint64_t GuiRenderer::hash_of(const ImDrawData& data, Rgba ground) const {
   return hash;
 }
 
-void GuiRenderer::set_state(const ImDrawData& data) const {
+void GuiRenderer::set_state(const ImDrawData& data) {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl_.Viewport(0, 0, static_cast<GLsizei>(data.DisplaySize.x), static_cast<GLsizei>(data.DisplaySize.y));
   for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_STENCIL_TEST}) gl_.Disable(capability);
   gl_.Enable(GL_BLEND);
   gl_.BlendEquation(GL_FUNC_ADD);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  gl_.UseProgram(program_);
   const float sx = 2.0F / data.DisplaySize.x;
   const float sy = -2.0F / data.DisplaySize.y;
   const std::array<float, 4> to_clip{sx, sy, -1.0F - data.DisplayPos.x * sx, 1.0F - data.DisplayPos.y * sy};
-  gl_.Uniform4fv(to_clip_, 1, to_clip.data());
+  for (const Program& program : programs_) {
+    gl_.UseProgram(program.name);
+    gl_.Uniform4fv(program.to_clip, 1, to_clip.data());
+  }
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindVertexArray(array_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
+}
+
+void GuiRenderer::set_look(GuiLook look) {
+  if (look == look_) return;
+  const auto mixed = [](GuiLook any) { return any == GuiLook::kPlain || any == GuiLook::kTextured; };
+  gl_.UseProgram(programs_[static_cast<std::size_t>(look)].name);
+  if (mixed(look) != mixed(look_)) (mixed(look) ? gl_.Enable : gl_.Disable)(GL_BLEND);
+  look_ = look;
+}
+
+std::vector<GuiRun> GuiRenderer::whole_run(const ImDrawList& list, const ImDrawCmd& command) const {
+  const auto name = static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
+  const bool opaque = opaque_textures_.contains(name) && gui_untinted(list, command);
+  return {{opaque ? GuiLook::kPicture : GuiLook::kTextured, command.IdxOffset, command.ElemCount}};
 }
 
 void GuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data) {
@@ -193,10 +253,14 @@ void GuiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data) {
     gl_.Scissor(static_cast<GLint>(x0), static_cast<GLint>(data.DisplaySize.y - y1), static_cast<GLsizei>(x1 - x0),
                 static_cast<GLsizei>(y1 - y0));
     gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
-    const auto first = reinterpret_cast<const void*>(std::size_t{command.IdxOffset} * sizeof(ImDrawIdx));
-    gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
-                               sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, first,
-                               static_cast<GLint>(command.VtxOffset));
+    const bool letters = command.GetTexID() == to_id(font_texture_);
+    for (const GuiRun& run : letters ? gui_runs(list, command, white_) : whole_run(list, command)) {
+      set_look(run.look);
+      const auto first = reinterpret_cast<const void*>(std::size_t{run.first} * sizeof(ImDrawIdx));
+      gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(run.count),
+                                 sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, first,
+                                 static_cast<GLint>(command.VtxOffset));
+    }
   }
 }
 
@@ -213,6 +277,7 @@ bool GuiRenderer::draw(const ImDrawData& data, Rgba ground, bool force) {
   gl_.Clear(GL_COLOR_BUFFER_BIT);
   gl_.Enable(GL_SCISSOR_TEST);
   for (int i = 0; i < data.CmdListsCount; ++i) draw_list(*data.CmdLists[i], data);
+  set_look(GuiLook::kTextured);
   gl_.Disable(GL_SCISSOR_TEST);
   drop_unused_textures();
   return true;

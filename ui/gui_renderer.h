@@ -3,14 +3,18 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "engine/core/image.h"
 #include "engine/core/result.h"
 #include "engine/render/gl_functions.h"
+#include "ui/gui_runs.h"
 #include "ui/textures.h"
 
 namespace trocar::ui {
@@ -42,20 +46,29 @@ class GuiRenderer final : public TextureStore {
   };
   explicit GuiRenderer(const render::GlFunctions& gl) : gl_(gl) {}
 
+  struct Program {
+    GLuint name = 0;
+    GLint to_clip = -1;
+  };
   Status set_up();
-  void set_state(const ImDrawData& data) const;
+  void set_state(const ImDrawData& data);
+  void set_look(GuiLook look);
+  /// A picture's command is drawn in one look.
+  std::vector<GuiRun> whole_run(const ImDrawList& list, const ImDrawCmd& command) const;
   void draw_list(const ImDrawList& list, const ImDrawData& data);
   std::uint64_t hash_of(const ImDrawData& data, Rgba ground) const;
   void drop_unused_textures();
   void upload(Texture& texture, const Image& image, Sampling sampling) const;
 
   const render::GlFunctions& gl_;
-  GLuint program_ = 0;
-  GLint to_clip_ = -1;
+  std::array<Program, 4> programs_;  ///< By GuiLook.
   GLuint array_ = 0;
   GLuint vertices_ = 0;
   GLuint indices_ = 0;
   GLuint font_texture_ = 0;
+  ImVec2 white_{0.0F, 0.0F};          ///< Where the letters' texture is white.
+  std::set<GLuint> opaque_textures_;  ///< Pictures without a see-through pixel.
+  GuiLook look_ = GuiLook::kTextured;
   std::map<std::string, Texture, std::less<>> textures_;
   std::uint64_t uploads_ = 0;  ///< Part of the hash: a new picture is a new frame.
   std::uint64_t last_hash_ = 0;

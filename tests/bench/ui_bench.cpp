@@ -13,7 +13,7 @@ using namespace trocar;
 
 // A picture as large as the view asks for, with something in every pixel.
 std::shared_ptr<const Image> view_picture() {
-  auto picture = std::make_shared<Image>(822, 490);
+  auto picture = std::make_shared<Image>(820, 490);
   for (int y = 0; y < picture->height; ++y) {
     for (int x = 0; x < picture->width; ++x) {
       picture->set(x, y, {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 90, 255});
