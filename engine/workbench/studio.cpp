@@ -4,6 +4,7 @@
 
 #include "engine/figure/field_figure.h"
 #include "engine/simulation/world.h"
+#include "engine/stage/path_layer.h"
 
 namespace trocar::workbench {
 
@@ -14,12 +15,22 @@ Result<Studio> Studio::create() {
 }
 
 Result<Image> Studio::picture(const ViewRequest& request) {
-  static const std::vector<stage::PathLayer> kNoPaths;
-  const scene::Scene scene =
-      stage_->scene(request.pose, request.paths ? *request.paths : kNoPaths, request.fields, request.options);
+  scene::Scene scene = stage_->scene(request.pose, {}, request.fields, request.options);
+  show_paths(request.paths);
+  scene.nodes.insert(scene.nodes.end(), path_nodes_.begin(), path_nodes_.end());
   TROCAR_ASSIGN_OR_RETURN(Image image, renderer_.draw(scene, request.camera, request.render));
   labels_.draw(image, scene, request.camera);
   return image;
+}
+
+void Studio::show_paths(const std::shared_ptr<const std::vector<stage::PathLayer>>& paths) {
+  if (paths == paths_) return;
+  paths_ = paths;
+  scene::Scene made;
+  if (paths) {
+    for (const stage::PathLayer& path : *paths) stage::add_path(path, made);
+  }
+  path_nodes_ = std::move(made.nodes);
 }
 
 stage::Pose3d ready_stage() {

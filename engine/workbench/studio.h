@@ -36,7 +36,12 @@ class Studio {
   Studio(std::shared_ptr<const stage::Stage> stage, render::Renderer renderer)
       : stage_(std::move(stage)), renderer_(std::move(renderer)) {}
 
+  void show_paths(const std::shared_ptr<const std::vector<stage::PathLayer>>& paths);
+
   std::shared_ptr<const stage::Stage> stage_;
+  /// The same paths keep their meshes from picture to picture, so that where they are need not be drawn anew.
+  std::shared_ptr<const std::vector<stage::PathLayer>> paths_;
+  std::vector<scene::Node> path_nodes_;
   render::Renderer renderer_;
   stage::LabelPainter labels_;
 };

@@ -35,20 +35,26 @@ double processor_s() {
 }
 
 /// One iteration is a frame of the real scene: staged, drawn with its shadows and read back. The time is the wall's;
-/// the counter is what all threads together spent.
-void frames(benchmark::State& state, const render::RenderOptions& options) {
+/// the counter is what all threads together spent. The arms move, and the camera too if it circles: then nothing of the
+/// picture before can stay.
+void frames(benchmark::State& state, const render::RenderOptions& options, bool circling = false) {
   const auto stage = stage::Stage::load();
   TROCAR_CHECK(stage.has_value());
   auto renderer = render::Renderer::create();
   TROCAR_CHECK(renderer.has_value());
   renderer->warm_up();
-  const scene::Camera camera = scene::camera(scene::CameraPreset::kPaper);
+  scene::Camera camera = scene::camera(scene::CameraPreset::kPaper);
+  scene::OrbitCamera orbit = scene::OrbitCamera::from(camera, 0.21);
   int frame = 0;
   TROCAR_CHECK(renderer->draw((*stage)->scene(pose_at(frame), {}, {}, {}), camera, options).has_value());
   std::size_t triangles = 0;
   const double begin_s = processor_s();
   for (auto _ : state) {
     const scene::Scene scene = (*stage)->scene(pose_at(++frame), {}, {}, {});
+    if (circling) {
+      orbit.orbit(frame % 50 < 25 ? 0.01 : -0.01, 0.0);
+      camera = orbit.camera();
+    }
     benchmark::DoNotOptimize(renderer->draw(scene, camera, options));
     triangles = 0;
     for (const scene::Node& node : scene.nodes) triangles += node.mesh->indices.size() / 3;
@@ -64,6 +70,12 @@ void render_640x480(benchmark::State& state) {
 void render_960x540(benchmark::State& state) {
   frames(state, {960, 540, 1, true, false});
 }
+void render_960x540_circling(benchmark::State& state) {
+  frames(state, {960, 540, 1, true, false}, true);
+}
+void render_1280x720_msaa4_circling(benchmark::State& state) {
+  frames(state, {1280, 720, 4, true, true}, true);
+}
 void render_960x540_soft(benchmark::State& state) {
   frames(state, {960, 540, 1, true, true});
 }
@@ -72,6 +84,11 @@ void render_1280x720_msaa4(benchmark::State& state) {
 }
 BENCHMARK(render_640x480)->Name("render_640x480")->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(render_960x540)->Name("render_960x540")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(render_960x540_circling)->Name("render_960x540_circling")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(render_1280x720_msaa4_circling)
+    ->Name("render_1280x720_msaa4_circling")
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(render_960x540_soft)->Name("render_960x540_soft")->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(render_1280x720_msaa4)->Name("render_1280x720_msaa4")->UseRealTime()->Unit(benchmark::kMillisecond);
 
