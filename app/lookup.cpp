@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
+
+#include "engine/store/project_store.h"
 
 namespace trocar::app {
 namespace {
@@ -36,6 +39,19 @@ Result<typename Map::mapped_type> find(const Map& map, const std::string& text, 
 
 Result<workbench::ProjectFile> open_project(const std::filesystem::path& path, Console& console) {
   return workbench::ProjectFile::open(path, console.clock, console.diagnostics);
+}
+
+Status check_output(const std::filesystem::path& out, const std::filesystem::path& project,
+                    std::initializer_list<std::string_view> endings) {
+  const auto refuse = [&out](std::string why) {
+    return tl::unexpected(Error(ErrorCode::kInvalidArgument, std::move(why)).at(out.string()));
+  };
+  if (!project.empty() && store::is_part_of_project(out, project)) return refuse("that is the project itself");
+  std::string ending = out.extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+  if (ending == ".trocar") return refuse("a name that ends in .trocar is a project's");
+  if (endings.size() == 0 || std::find(endings.begin(), endings.end(), ending) != endings.end()) return {};
+  return refuse(fmt::format("the name must end in {}", fmt::join(endings, " or ")));
 }
 
 Result<std::shared_ptr<const demonstration::Demonstration>> find_demonstration(const workbench::Project& project,

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,11 @@ namespace trocar::app {
 
 /// Opens the project; what is odd about it goes to the console's warnings.
 Result<workbench::ProjectFile> open_project(const std::filesystem::path& path, Console& console);
+
+/// To be asked before a project is opened for an output. `endings` are those that are good (".csv"); none: any.
+/// Errors: kInvalidArgument for another ending, for the project's own file, and for any name that is a project's.
+Status check_output(const std::filesystem::path& out, const std::filesystem::path& project,
+                    std::initializer_list<std::string_view> endings = {});
 
 /// `text` is an id, or a name that only one demonstration has.
 /// Errors: kNotFound; kInvalidArgument if the name is not unique.

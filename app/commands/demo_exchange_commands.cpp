@@ -66,6 +66,7 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
 }
 
 Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
+  TROCAR_RETURN_IF_ERROR(check_output(arguments.file, arguments.project));
   TROCAR_ASSIGN_OR_RETURN(const exchange::Format format, format_of(arguments.format, arguments.file));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
   TROCAR_ASSIGN_OR_RETURN(const auto document, find_demonstration(*file.project(), arguments.demonstration));

@@ -21,7 +21,7 @@ void bind_run(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("MODEL", arguments.model, "Id or name")->required();
   verb.add_option("--starts", arguments.starts, "all, around:K (within ±K cells) or file:F.csv (columns i,j,k)")
       ->capture_default_str();
-  verb.add_option("--out", arguments.out, "Also write one row for each rollout, as CSV");
+  verb.add_option("--out", arguments.out, "F.csv: also write one row for each rollout");
 }
 
 Json json_of(const learning::RolloutSummary& summary) {
@@ -60,6 +60,7 @@ std::string line_of(const learning::RolloutSummary& summary) {
 }
 
 Result<Answer> run_run(const RunArguments& arguments, Console& console) {
+  if (!arguments.out.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".csv"}));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   const learning::Model& model = *entry->model;

@@ -35,12 +35,16 @@ void bind_run(CLI::App& verb, UiArguments& arguments) {
 
 void bind_dump(CLI::App& verb, UiArguments& arguments) {
   bind_common(verb, arguments);
-  verb.add_option("--out", arguments.out, "Write the list into a file");
+  verb.add_option("--out", arguments.out, "F.json: write the list into a file");
 }
 
 Result<ui::UiRunOptions> options_of(const UiArguments& arguments) {
   ui::UiRunOptions options;
   TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
+  if (!arguments.out.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".json"}));
+  if (!arguments.screenshot.empty()) {
+    TROCAR_RETURN_IF_ERROR(check_output(arguments.screenshot, arguments.project, {".png"}));
+  }
   options.project = arguments.project;
   options.script = arguments.script;
   options.screenshot = arguments.screenshot;

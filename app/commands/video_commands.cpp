@@ -44,6 +44,7 @@ void bind_render(CLI::App& verb, RenderArguments& arguments) {
 }
 
 Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
+  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project));
   const std::size_t count = arguments.demonstrations.size();
   if (!arguments.layout.empty() && (arguments.layout == "single") != (count == 1)) {
     return fail(ErrorCode::kInvalidArgument,

@@ -58,6 +58,7 @@ Result<stage::FieldLayer> layer_of(const workbench::ModelEntry& entry, const std
 }
 
 Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
+  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png"}));
   TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
   TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));

@@ -65,15 +65,37 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t lim
   }
 }
 
+Result<std::filesystem::path> replaceable_file(const std::filesystem::path& path) {
+  constexpr int kMostLinks = 40;  // As the kernel's own limit.
+  const auto refuse = [&path](std::string why) {
+    return tl::unexpected(Error(ErrorCode::kIo, "could not write the file (" + why + ")").at(path.string()));
+  };
+  std::filesystem::path target = path;
+  for (int links = 0;; ++links) {
+    std::error_code error;
+    const std::filesystem::file_type type = std::filesystem::symlink_status(target, error).type();
+    // What cannot be looked at cannot be written either; the write itself says why.
+    if (type == std::filesystem::file_type::not_found || type == std::filesystem::file_type::none) return target;
+    if (type == std::filesystem::file_type::regular) return target;
+    if (type == std::filesystem::file_type::directory) return refuse("a folder has that name");
+    if (type != std::filesystem::file_type::symlink) return refuse("it is a device or a pipe, not a file");
+    if (links == kMostLinks) return refuse("its links lead in a circle");
+    const std::filesystem::path next = std::filesystem::read_symlink(target, error);
+    if (error) return refuse(error.message());
+    target = target.parent_path() / next;  // An absolute `next` replaces all of it.
+  }
+}
+
 Status write_file(const std::filesystem::path& path, std::string_view bytes) {
-  const std::filesystem::path temporary = temporary_beside(path);
+  TROCAR_ASSIGN_OR_RETURN(const std::filesystem::path target, replaceable_file(path));
+  const std::filesystem::path temporary = temporary_beside(target);
   Status status;
   {
     const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     status = file.get() < 0 ? Status(fail(ErrorCode::kIo, "could not create the file (" + reason() + ")"))
                             : write_all(file.get(), bytes);
   }
-  if (status && ::rename(temporary.c_str(), path.c_str()) != 0) {
+  if (status && ::rename(temporary.c_str(), target.c_str()) != 0) {
     status = fail(ErrorCode::kIo, "could not put the file in place (" + reason() + ")");
   }
   if (status) return status;

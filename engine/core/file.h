@@ -13,7 +13,12 @@ namespace trocar {
 /// Errors: kNotFound if there is none, kIo if it cannot be read or is larger than `limit_bytes`.
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t limit_bytes = std::size_t{1} << 30);
 
-/// Writes beside `path`, syncs and renames. Errors: kIo (folder missing, no permission, disk full), nothing is left.
+/// The file that a write to `path` is to replace: links are followed, so that they stay links. It need not exist.
+/// Errors: kIo if there is something that is no file (a folder, a device, a pipe), which a rename would put an end to.
+Result<std::filesystem::path> replaceable_file(const std::filesystem::path& path);
+
+/// Writes beside `replaceable_file(path)`, syncs and renames.
+/// Errors: those of `replaceable_file`; kIo (folder missing, no permission, disk full). Nothing is left then.
 Status write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// A name beside `path` for a file that is renamed to it when complete; keeps the extension, which writers go by.

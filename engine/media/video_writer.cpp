@@ -68,7 +68,8 @@ void sync(const fs::path& path) {
 
 struct VideoWriter::Impl {
   const trocar_media_api* api = nullptr;
-  fs::path path;
+  fs::path path;    ///< As it was asked for.
+  fs::path target;  ///< The file at the end of its links.
   fs::path temporary;
   VideoOptions options;  ///< `codec` is the one in use.
   void* writer = nullptr;
@@ -107,10 +108,13 @@ struct VideoWriter::Impl {
 
   Status open_codec() {
     TROCAR_ASSIGN_OR_RETURN(const std::vector<Codec> codecs, codecs_for(path, options.codec));
+    // FFmpeg gives no reason; a full disk must not look like a codec that this machine lacks.
+    if (!has_room(temporary)) return fail(ErrorCode::kIo, "the disk is full");
     for (const Codec codec : codecs) {
       writer = api->writer_open(temporary.c_str(), fourcc_of(codec), options.fps, options.width, options.height);
       options.codec = codec;
       if (writer != nullptr) return {};
+      if (!has_room(temporary)) return fail(ErrorCode::kIo, "the disk is full");
     }
     return fail(ErrorCode::kUnsupported,
                 fmt::format("this machine cannot write films in {}", to_string(options.codec)));
@@ -147,16 +151,13 @@ Result<VideoWriter> VideoWriter::open(const fs::path& path, const VideoOptions& 
   TROCAR_RETURN_IF_ERROR(check_options(options));
   TROCAR_RETURN_IF_ERROR(codecs_for(path, options.codec));
   TROCAR_ASSIGN_OR_RETURN(const trocar_media_api* api, media_library());
-  std::error_code error;
-  Status made;
-  if (fs::is_directory(path, error)) made = fail(ErrorCode::kIo, "a folder has that name");
-  const fs::path temporary = temporary_beside(path);
-  if (made) made = create_file(temporary);
-  if (!made) return tl::unexpected(std::move(made).error().at(path.string()));
-
+  TROCAR_ASSIGN_OR_RETURN(const fs::path target, replaceable_file(path));
+  const fs::path temporary = temporary_beside(target);
+  if (Status made = create_file(temporary); !made) return tl::unexpected(std::move(made).error().at(path.string()));
   auto impl = std::make_unique<Impl>();
   impl->api = api;
   impl->path = path;
+  impl->target = target;
   impl->temporary = temporary;
   impl->options = options;
   if (Status opened = impl->open_codec(); !opened) {
@@ -186,7 +187,7 @@ Status VideoWriter::finish() {
   Status status = impl_->added > 0 ? impl_->check_file() : fail(ErrorCode::kInvalidArgument, "the film has no frames");
   if (status) {
     sync(impl_->temporary);
-    if (::rename(impl_->temporary.c_str(), impl_->path.c_str()) != 0) {
+    if (::rename(impl_->temporary.c_str(), impl_->target.c_str()) != 0) {
       status = fail(ErrorCode::kIo, fmt::format("could not put the film in place ({})", std::strerror(errno)));
     }
   }

@@ -30,7 +30,8 @@ struct VideoOptions {
 /// thread of its own behind a bounded queue. Threads: one caller.
 class VideoWriter {
  public:
-  /// Errors: kInvalidArgument (odd or zero size, fps, extension unfit), kUnsupported (codec), kIo (path).
+  /// Errors: kInvalidArgument (odd or zero size, fps, extension unfit), kUnsupported (codec), kIo (path, something
+  /// there that is no file, disk full).
   static Result<VideoWriter> open(const std::filesystem::path& path, const VideoOptions& options);
   ~VideoWriter();
   VideoWriter(VideoWriter&&) noexcept;

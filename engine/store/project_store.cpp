@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -26,12 +27,34 @@ Status write_empty(const fs::path& path) {
   return database.execute(kSchemaSql);
 }
 
+/// The project and what SQLite may keep beside it.
+constexpr std::array kSuffixes = {"", "-wal", "-shm", "-journal"};
+
 void remove_with_log(const fs::path& path) {
   std::error_code ignored;
-  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(fs::path(path) += suffix, ignored);
+  for (const char* suffix : kSuffixes) fs::remove(fs::path(path) += suffix, ignored);
+}
+
+/// A name for comparisons, also of what does not exist.
+fs::path full_name(const fs::path& path) {
+  std::error_code error;
+  const fs::path target = replaceable_file(path).value_or(path);
+  const fs::path full = fs::weakly_canonical(fs::absolute(target, error), error);
+  return error ? target : full;
 }
 
 }  // namespace
+
+bool is_part_of_project(const fs::path& path, const fs::path& project) {
+  const fs::path whole = full_name(project);
+  const fs::path asked = full_name(path);
+  for (const char* suffix : kSuffixes) {
+    const fs::path part = fs::path(whole) += suffix;
+    std::error_code error;
+    if (asked == part || fs::equivalent(path, part, error)) return true;
+  }
+  return false;
+}
 
 struct ProjectStore::Impl {
   explicit Impl(Database opened) : database(std::move(opened)) {}

@@ -17,6 +17,10 @@ namespace trocar::store {
 /// Raised when the meaning of a table changes. A file with a higher number is refused and left alone.
 constexpr int kSchemaVersion = 1;
 
+/// True if `path` is the project's file or one that SQLite keeps beside it, by any name or link. Writing anything else
+/// there would destroy the project, so that outputs are checked with it first.
+bool is_part_of_project(const std::filesystem::path& path, const std::filesystem::path& project);
+
 /// One committed edit: a node of the history tree.
 struct JournalRow {
   std::int64_t id = 0;      ///< 1, 2, … in the order of committing.

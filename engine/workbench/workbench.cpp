@@ -5,6 +5,7 @@
 #include <thread>
 #include <variant>
 
+#include "engine/store/project_store.h"
 #include "engine/workbench/workbench_impl.h"
 
 namespace trocar::workbench {
@@ -35,6 +36,12 @@ bool Workbench::Impl::succeeded(const Status& status) {
 bool Workbench::Impl::project_open() {
   if (!file) log(Severity::kWarning, "Open a project first");
   return file != nullptr;
+}
+
+bool Workbench::Impl::is_output(const std::filesystem::path& path) {
+  if (!file || !store::is_part_of_project(path, file->path())) return true;
+  log(Severity::kError, "That is the project itself: " + path.string());
+  return false;
 }
 
 void Workbench::Impl::take_project(std::unique_ptr<ProjectFile> opened) {

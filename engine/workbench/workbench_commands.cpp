@@ -174,6 +174,7 @@ void Workbench::Impl::on(const VerifyReplay& command) {
 }
 
 void Workbench::Impl::on(const ExportVideo& command) {
+  if (!is_output(command.path)) return;
   FilmJob film;
   for (const DemonstrationId id : command.demonstrations) {
     const auto shown = demonstration(id);
@@ -192,6 +193,7 @@ void Workbench::Impl::on(const ExportVideo& command) {
 }
 
 void Workbench::Impl::on(const ExportField& command) {
+  if (!is_output(command.path)) return;
   const auto entry = model(command.model);
   if (!entry) return log(Severity::kError, fmt::format("there is no model {}", command.model.value));
   const auto work =

@@ -45,6 +45,8 @@ struct Workbench::Impl {
   bool succeeded(const Status& status);
   /// False, with a word in the log, unless a project is open.
   bool project_open();
+  /// False, with a word in the log, for a path that is the project's own.
+  bool is_output(const std::filesystem::path& path);
   void take_project(std::unique_ptr<ProjectFile> opened);
   /// After every change of the document: selection, gates and insight follow it.
   void refresh_document();

@@ -144,6 +144,52 @@ class Outputs(CommandLineTest):
         self.assertEqual(self.leftovers(), ["folder.png", "recorded.trocar"])
 
 
+    def test_the_project_itself_is_never_overwritten(self):
+        project = self.recorded_project()
+        before = self.answer("info", project)["hash"]
+        link = self.folder / "link.csv"
+        link.symlink_to(project)
+        hard = self.folder / "hard.csv"
+        os.link(project, hard)
+        relative = f"{self.folder}/../{self.folder.name}/{project.name}"
+        for out in (project, relative, link, hard, f"{project}-wal", f"{project}-shm"):
+            with self.subTest(out=str(out)):
+                self.refused("rollout", "run", project, "2", "--out", out, code=USAGE, saying="project itself")
+                self.refused("demo", "export", project, "1", out, "--format", "csv", code=USAGE, saying="project itself")
+                self.refused("field", "export", project, "2", "--out", out, code=USAGE)
+                self.refused("view", "render", project, "1", "--out", out, code=USAGE)
+                self.refused("video", "render", project, "1", "--out", out, code=USAGE)
+                self.refused("ui", "run", "--project", project, "--screenshot", out, code=USAGE)
+                self.refused("ui", "dump", "--project", project, "--out", out, code=USAGE)
+        self.assertEqual(self.answer("info", project)["hash"], before)
+
+    def test_no_output_takes_the_name_of_a_project(self):
+        project = self.recorded_project()
+        other = self.folder / "other.trocar"
+        self.answer("new", other)
+        before = other.read_bytes()
+        self.refused("demo", "export", project, "1", other, "--format", "csv", code=USAGE, saying=".trocar")
+        self.refused("rollout", "run", project, "2", "--out", other, code=USAGE)
+        self.refused("rollout", "run", project, "2", "--out", self.folder / "rows", code=USAGE, saying=".csv")
+        self.assertEqual(other.read_bytes(), before)
+
+    def test_what_is_no_file_is_not_replaced_and_links_are_written_through(self):
+        project = self.recorded_project()
+        pipe = self.folder / "pipe.csv"
+        os.mkfifo(pipe)
+        film = self.folder / "pipe.mp4"
+        os.mkfifo(film)
+        self.refused("rollout", "run", project, "2", "--out", pipe, code=WORLD, saying="not a file")
+        self.refused("demo", "export", project, "1", pipe, code=WORLD, saying="not a file")
+        self.refused("video", "render", project, "1", "--size", "64x36", "--out", film, code=WORLD, saying="not a file")
+        self.assertTrue(pipe.is_fifo() and film.is_fifo())
+        target, link = self.folder / "target.csv", self.folder / "link.csv"
+        link.symlink_to(target.name)
+        self.answer("rollout", "run", project, "2", "--out", link)
+        self.assertTrue(link.is_symlink())
+        self.assertTrue(target.read_text().startswith("i,j,k,"))
+
+
 class Interrupts(CommandLineTest):
     """A signal in the middle: exit code 3, no half-written file, an unharmed project."""
 

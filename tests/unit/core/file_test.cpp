@@ -1,6 +1,10 @@
 #include "engine/core/file.h"
 
 #include <doctest/doctest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -48,8 +52,56 @@ TEST_CASE("a file over the limit is refused") {
   fs::remove_all(folder);
 }
 
-TEST_CASE("a full disk is an error and leaves the old file alone") {
-  if (!fs::exists("/dev/full")) return;
-  // /dev/full cannot be renamed onto, but writing to it fails as a full disk does.
-  CHECK_FALSE(trocar::write_file("/dev/full/x", "data"));
+TEST_CASE("a disk that fills up while writing is an error, and the old file stays as it was") {
+  const fs::path folder = scratch_folder();
+  REQUIRE(trocar::write_file(folder / "x", "old"));
+  // In a process of its own, as the limit is one of a process.
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{5000, 5000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const auto written = trocar::write_file(folder / "x", std::string(10000, 'n'));
+    ::_exit(!written && written.error().code() == ErrorCode::kIo ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+  CHECK(trocar::read_file(folder / "x").value() == "old");
+  CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}) == 1);
+  fs::remove_all(folder);
+}
+
+TEST_CASE("a link is written through and stays a link, also where it leads to nothing yet") {
+  const fs::path folder = scratch_folder();
+  fs::create_directory(folder / "far");
+  fs::create_symlink("far/target", folder / "middle");
+  fs::create_symlink(folder / "middle", folder / "link");
+  for (const std::string text : {"first", "second"}) {
+    REQUIRE(trocar::write_file(folder / "link", text));
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(fs::is_symlink(folder / "middle"));
+    CHECK(trocar::read_file(folder / "far" / "target").value() == text);
+  }
+  fs::create_symlink("circle", folder / "circle");
+  CHECK(trocar::write_file(folder / "circle", "x").error().code() == ErrorCode::kIo);
+  CHECK(fs::is_symlink(folder / "circle"));
+  fs::remove_all(folder);
+}
+
+TEST_CASE("what is no file is never replaced by one") {
+  const fs::path folder = scratch_folder();
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  fs::create_directory(folder / "folder");
+  fs::create_symlink("pipe", folder / "to_pipe");
+  for (const char* name : {"pipe", "to_pipe", "folder"}) {
+    const auto written = trocar::write_file(folder / name, "x");
+    REQUIRE_FALSE(written);
+    CHECK(written.error().code() == ErrorCode::kIo);
+    CHECK(written.error().text().ends_with((folder / name).string()));
+  }
+  CHECK(fs::is_fifo(folder / "pipe"));
+  CHECK(fs::is_directory(folder / "folder"));
+  CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}) == 3);
+  fs::remove_all(folder);
 }

@@ -158,6 +158,16 @@ TEST_CASE("a path that cannot be written is an I/O error that ends with the path
   CHECK(scratch.files() == 1);
 }
 
+TEST_CASE("a film goes to the end of a link, which stays a link") {
+  const Scratch scratch("link");
+  fs::create_symlink("target.mp4", scratch.folder / "a.mp4");
+  auto writer = VideoWriter::open(scratch.folder / "a.mp4", {160, 96, 30.0, Codec::kAuto}).value();
+  for (int i = 0; i < 5; ++i) REQUIRE(writer.add(frame(160, 96, i)));
+  REQUIRE(writer.finish());
+  CHECK(fs::is_symlink(scratch.folder / "a.mp4"));
+  CHECK(probe_video(scratch.folder / "target.mp4").value().frames == 5);
+}
+
 TEST_CASE("a film that is not finished leaves nothing, and the old file as it was") {
   const Scratch scratch("cancel");
   const fs::path path = scratch.folder / "a.mp4";
