@@ -127,6 +127,14 @@ Status ProjectStore::transaction(const std::function<Status()>& work) {
   return done;
 }
 
+Status ProjectStore::snapshot(const std::function<Status()>& work) {
+  if (impl_->database.in_transaction()) return work();
+  TROCAR_RETURN_IF_ERROR(impl_->database.run("BEGIN"));
+  Status done = work();
+  if (impl_->database.in_transaction()) (void)impl_->database.run("ROLLBACK");
+  return done;
+}
+
 Result<std::vector<JournalRow>> ProjectStore::journal() const {
   return journal_after(0);
 }

@@ -107,6 +107,8 @@ class ProjectStore {
 
   /// Runs `work` as one transaction; if it returns an error, nothing of it stays.
   Status transaction(const std::function<Status()>& work);
+  /// Runs `work`, which only reads, so that all it reads is of one moment.
+  Status snapshot(const std::function<Status()>& work);
   /// True if another program has changed the project since this was last asked.
   Result<bool> changed_elsewhere();
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <unordered_map>
 #include <utility>
 
@@ -37,15 +38,19 @@ struct ProjectFile::Impl {
   std::unordered_map<std::int64_t, ProjectPointer> keyframes{{0, std::make_shared<const Project>()}};
   std::int64_t head = 0;
   ProjectPointer project = keyframes.at(0);
+  bool behind = false;  ///< Another program has changed the store, and it has not been taken in yet.
 
   Status take_rows(std::vector<store::JournalRow> rows);
-  Status refresh();
+  Status take_redo();
+  Status follow_head();
+  Status catch_up();
   Result<ProjectPointer> step(const ProjectPointer& before, std::int64_t node) const;
   Result<ProjectPointer> document_at(std::int64_t node);
   void keep(std::int64_t node, const ProjectPointer& document);
   Status load();
-  Status move_to(std::int64_t node);
-  Status append(const Edit& edit, const ProjectPointer& edited, std::int64_t expected_id);
+  std::vector<store::RedoRow> redo_back_from(std::int64_t node) const;
+  Status move(const std::function<Result<std::int64_t>()>& where);
+  Result<std::int64_t> commit(const std::function<Result<Edit>()>& prepare);
 };
 
 Status ProjectFile::Impl::take_rows(std::vector<store::JournalRow> rows) {
@@ -56,12 +61,47 @@ Status ProjectFile::Impl::take_rows(std::vector<store::JournalRow> rows) {
   return {};
 }
 
-/// Takes in what other programs have committed since.
-Status ProjectFile::Impl::refresh() {
+Status ProjectFile::Impl::take_redo() {
+  TROCAR_ASSIGN_OR_RETURN(const auto redo, store.redo());
+  for (const store::RedoRow& row : redo) {
+    if (row.child != 0 && tree.contains(row.child) && tree.parent(row.child) == row.parent) {
+      tree.set_redo(row.parent, row.child);
+    }
+  }
+  return {};
+}
+
+/// To where the store's HEAD is, whoever moved it there.
+Status ProjectFile::Impl::follow_head() {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t node, store.head());
+  if (!tree.contains(node)) {
+    return fail(ErrorCode::kCorrupt, fmt::format("the project stands at an unknown point {} of its history", node));
+  }
+  TROCAR_ASSIGN_OR_RETURN(project, document_at(node));
+  head = node;
+  return {};
+}
+
+Status ProjectFile::Impl::load() {
+  return store.snapshot([this]() -> Status {
+    TROCAR_ASSIGN_OR_RETURN(auto rows, store.journal());
+    TROCAR_RETURN_IF_ERROR(take_rows(std::move(rows)));
+    TROCAR_RETURN_IF_ERROR(take_redo());
+    return follow_head();
+  });
+}
+
+/// Takes in what other programs have done since. Call it inside a transaction, so that all is of one moment.
+Status ProjectFile::Impl::catch_up() {
   TROCAR_ASSIGN_OR_RETURN(const bool changed, store.changed_elsewhere());
-  if (!changed) return {};
+  behind = behind || changed;
+  if (!behind) return {};
   TROCAR_ASSIGN_OR_RETURN(auto rows, store.journal_after(tree.newest()));
-  return take_rows(std::move(rows));
+  TROCAR_RETURN_IF_ERROR(take_rows(std::move(rows)));
+  TROCAR_RETURN_IF_ERROR(take_redo());
+  TROCAR_RETURN_IF_ERROR(follow_head());
+  behind = false;
+  return {};
 }
 
 Result<ProjectPointer> ProjectFile::Impl::step(const ProjectPointer& before, std::int64_t node) const {
@@ -89,56 +129,55 @@ Result<ProjectPointer> ProjectFile::Impl::document_at(std::int64_t node) {
   return document;
 }
 
-Status ProjectFile::Impl::load() {
-  TROCAR_ASSIGN_OR_RETURN(auto rows, store.journal());
-  TROCAR_RETURN_IF_ERROR(take_rows(std::move(rows)));
-  TROCAR_ASSIGN_OR_RETURN(const auto redo, store.redo());
-  for (const store::RedoRow& row : redo) {
-    if (row.child != 0 && tree.contains(row.child) && tree.parent(row.child) == row.parent) {
-      tree.set_redo(row.parent, row.child);
-    }
-  }
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t node, store.head());
-  if (!tree.contains(node)) {
-    return fail(ErrorCode::kCorrupt, fmt::format("the project stands at an unknown point {} of its history", node));
-  }
-  TROCAR_ASSIGN_OR_RETURN(project, document_at(node));
-  head = node;
-  return {};
-}
-
 /// Redo of each node that is left on the way up leads back down to where we came from.
-Status ProjectFile::Impl::move_to(std::int64_t node) {
-  TROCAR_ASSIGN_OR_RETURN(const ProjectPointer document, document_at(node));
+std::vector<store::RedoRow> ProjectFile::Impl::redo_back_from(std::int64_t node) const {
   std::vector<store::RedoRow> left;
   for (std::int64_t at = head; at != 0 && at != node; at = tree.parent(at)) {
     const std::int64_t above = tree.parent(at);
     if (tree.redo(above) != at) left.push_back({above, at});
   }
-  TROCAR_RETURN_IF_ERROR(store.set_head(node, left));
+  return left;
+}
+
+/// `where` is asked after what others did has been taken in.
+Status ProjectFile::Impl::move(const std::function<Result<std::int64_t>()>& where) {
+  std::int64_t node = 0;
+  ProjectPointer document;
+  std::vector<store::RedoRow> left;
+  TROCAR_RETURN_IF_ERROR(store.transaction([&]() -> Status {
+    TROCAR_RETURN_IF_ERROR(catch_up());
+    TROCAR_ASSIGN_OR_RETURN(node, where());
+    TROCAR_ASSIGN_OR_RETURN(document, document_at(node));
+    left = redo_back_from(node);
+    return store.set_head(node, left);
+  }));
   for (const store::RedoRow& row : left) tree.set_redo(row.parent, row.child);
   head = node;
   project = document;
   return {};
 }
 
-Status ProjectFile::Impl::append(const Edit& edit, const ProjectPointer& edited, std::int64_t expected_id) {
+/// One transaction: what others did is taken in, `prepare` stores what the edit needs and gives it, the edit is applied
+/// to the document as it is by then. Without success nothing of it stays.
+Result<std::int64_t> ProjectFile::Impl::commit(const std::function<Result<Edit>()>& prepare) {
   store::JournalRow row;
-  row.parent = head;
-  row.time = iso_time(clock->unix_s());
-  row.name = std::string(name_of(edit));
-  row.parameters = to_json(edit);
-  row.description = describe(edit, *project);
+  ProjectPointer edited;
   TROCAR_RETURN_IF_ERROR(store.transaction([&]() -> Status {
+    TROCAR_RETURN_IF_ERROR(catch_up());
+    TROCAR_ASSIGN_OR_RETURN(const Edit edit, prepare());
+    const std::int64_t id = tree.newest() + 1;
+    TROCAR_ASSIGN_OR_RETURN(edited, apply(*project, edit, id, blobs));
+    row = {0, head, iso_time(clock->unix_s()), std::string(name_of(edit)), to_json(edit), describe(edit, *project)};
     TROCAR_ASSIGN_OR_RETURN(row.id, store.append(row));
-    if (row.id == expected_id) return {};
-    return fail(ErrorCode::kIo, "another program has changed the project at the same moment");
+    if (row.id == id) return {};
+    return fail(ErrorCode::kCorrupt, "the numbers of the project's history have a gap");
   }));
-  TROCAR_RETURN_IF_ERROR(take_rows({row}));
-  keep(row.id, edited);
-  head = row.id;
+  const std::int64_t id = row.id;
+  TROCAR_RETURN_IF_ERROR(take_rows({std::move(row)}));
+  keep(id, edited);
+  head = id;
   project = edited;
-  return {};
+  return id;
 }
 
 ProjectFile::ProjectFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -170,22 +209,24 @@ std::shared_ptr<const Project> ProjectFile::project() const {
 }
 
 Result<std::int64_t> ProjectFile::commit(const Edit& edit) {
-  TROCAR_RETURN_IF_ERROR(impl_->refresh());
-  const std::int64_t id = impl_->tree.newest() + 1;
-  TROCAR_ASSIGN_OR_RETURN(const ProjectPointer edited, apply(*impl_->project, edit, id, impl_->blobs));
-  TROCAR_RETURN_IF_ERROR(impl_->append(edit, edited, id));
-  return id;
+  // A long recording is read before the transaction, so that other programs do not wait for it.
+  if (const auto* added = std::get_if<AddDemonstration>(&edit)) (void)impl_->blobs.recording(added->recording);
+  return impl_->commit([&edit]() -> Result<Edit> { return edit; });
 }
 
 Status ProjectFile::undo() {
-  if (!undoable()) return fail(ErrorCode::kInvalidArgument, "there is nothing to undo");
-  return impl_->move_to(impl_->tree.parent(impl_->head));
+  return impl_->move([this]() -> Result<std::int64_t> {
+    if (!undoable()) return fail(ErrorCode::kInvalidArgument, "there is nothing to undo");
+    return impl_->tree.parent(impl_->head);
+  });
 }
 
 Status ProjectFile::redo() {
-  const std::optional<std::int64_t> next = impl_->tree.redo(impl_->head);
-  if (!next) return fail(ErrorCode::kInvalidArgument, "there is nothing to redo");
-  return impl_->move_to(*next);
+  return impl_->move([this]() -> Result<std::int64_t> {
+    const std::optional<std::int64_t> next = impl_->tree.redo(impl_->head);
+    if (!next) return fail(ErrorCode::kInvalidArgument, "there is nothing to redo");
+    return *next;
+  });
 }
 
 bool ProjectFile::undoable() const {
@@ -197,11 +238,10 @@ bool ProjectFile::redoable() const {
 }
 
 Status ProjectFile::go_to(std::int64_t node) {
-  TROCAR_RETURN_IF_ERROR(impl_->refresh());
-  if (!impl_->tree.contains(node)) {
+  return impl_->move([this, node]() -> Result<std::int64_t> {
+    if (impl_->tree.contains(node)) return node;
     return fail(ErrorCode::kNotFound, fmt::format("the history has no entry {}", node));
-  }
-  return impl_->move_to(node);
+  });
 }
 
 std::int64_t ProjectFile::head() const {

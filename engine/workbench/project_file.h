@@ -19,7 +19,9 @@
 
 namespace trocar::workbench {
 
-/// Several programs may have one project open: what another commits becomes a branch of the history here.
+/// Several programs may have one project open, and none loses what another does: each change first takes in what has
+/// been committed, undone or redone elsewhere, and is then made on the document as it is by now. So after any change
+/// `project()` may differ by more than that change; without one, `project()` stays as it is.
 /// Errors of every function: kIo (disk full, locked by another program); then nothing has changed.
 /// Threads: one at a time (the main thread).
 class ProjectFile {
@@ -36,7 +38,8 @@ class ProjectFile {
 
   std::shared_ptr<const Project> project() const;
 
-  /// Applies and commits; returns the new node's id (also the id of what was added).
+  /// Applies and commits; returns the new node's id (also the id of what was added). Errors: those of `apply`, also
+  /// when another program has taken away what the edit is about.
   Result<std::int64_t> commit(const Edit& edit);
   /// Errors: kInvalidArgument if there is nothing to undo or redo.
   Status undo();

@@ -230,19 +230,55 @@ TEST_CASE("a bad sample is refused by the writer and the recording goes on witho
   REQUIRE(file.commit(AddDemonstration{id, "Good"}));
 }
 
-TEST_CASE("what another program commits becomes a branch, and nothing of either is lost") {
+TEST_CASE("an edit is made on what another program has committed in between, and both stay") {
+  const ScratchFolder folder;
+  ProjectFile one = created(folder / "p.trocar");
+  const DemonstrationId id = add_demonstration(one, 400, "a");
+  ProjectFile two = opened(folder / "p.trocar");
+  rename(one, id, "from one");
+  REQUIRE(two.commit(EditDemonstration{id, Trim{0.5, 1.5}}));
+  CHECK(name_of_only(two) == "from one");
+  CHECK(two.project()->demonstrations.at(id)->begin_s == 0.5);
+  REQUIRE(two.history().size() == 3);
+  CHECK(two.history()[2].parent == 2);
+  CHECK(two.history()[2].description == "Trim from one to 0.50–1.50 s");
+  REQUIRE(one.commit(EditDemonstration{id, Rename{"last"}}));
+  CHECK(one.project()->demonstrations.at(id)->begin_s == 0.5);
+  CHECK(opened(folder / "p.trocar").project()->hash() == one.project()->hash());
+}
+
+TEST_CASE("an edit of what another program has removed is an error, and its own document follows") {
   const ScratchFolder folder;
   ProjectFile one = created(folder / "p.trocar");
   const DemonstrationId id = add_demonstration(one, 10, "a");
   ProjectFile two = opened(folder / "p.trocar");
-  rename(one, id, "from one");
-  rename(two, id, "from two");
-  CHECK(name_of_only(two) == "from two");
-  CHECK(two.history().size() == 3);
-  CHECK(two.history()[1].parent == 1);
-  CHECK(two.history()[2].parent == 1);
-  REQUIRE(one.go_to(3));
-  CHECK(name_of_only(one) == "from two");
+  REQUIRE(one.commit(RemoveDemonstration{id}));
+  CHECK(two.commit(EditDemonstration{id, Rename{"b"}}).error().code() == ErrorCode::kNotFound);
+  CHECK(two.history().size() == 2);
+  CHECK(two.project()->demonstrations.empty());
+}
+
+TEST_CASE("undo and redo go on from where another program has moved the project") {
+  const ScratchFolder folder;
+  ProjectFile one = created(folder / "p.trocar");
+  const DemonstrationId id = add_demonstration(one, 10, "a");
+  rename(one, id, "b");
+  ProjectFile two = opened(folder / "p.trocar");
+  rename(one, id, "c");
+  REQUIRE(two.undo());  // Of "c", which is the last edit, not of "b".
+  CHECK(name_of_only(two) == "b");
+  REQUIRE(one.undo());
+  CHECK(name_of_only(one) == "a");
+  REQUIRE(two.redo());
+  CHECK(name_of_only(two) == "b");
+  REQUIRE(one.redo());
+  CHECK(name_of_only(one) == "c");
+  CHECK_FALSE(two.redo());
+  CHECK(name_of_only(two) == "c");
+  rename(two, id, "d");
+  CHECK(two.history().size() == 4);
+  CHECK(two.history()[3].parent == 3);
+  CHECK(opened(folder / "p.trocar").head() == 4);
 }
 
 TEST_CASE("damaged samples are found by their hash when the project is opened") {
