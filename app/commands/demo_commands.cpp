@@ -30,7 +30,7 @@ std::string letters_of(const Json& segments) {
 }
 
 Result<Answer> run_list(const ListArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
   Answer answer;
   answer.json = {{"demonstrations", Json::array()}};
   answer.summary = counted(file.project()->demonstrations.size(), "demonstration");
@@ -51,7 +51,7 @@ struct ShowArguments {
 };
 
 Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
   TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
   Answer answer;
   answer.json = demonstration_json(*demonstration);

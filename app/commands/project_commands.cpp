@@ -29,7 +29,7 @@ Result<Answer> run_new(const ProjectArguments& arguments, Console& console) {
 }
 
 Result<Answer> run_info(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
   const auto project = file.project();
   constexpr int kTrials = 0;  // No command makes a trial yet, so that no project holds one.
   Answer answer;
@@ -61,7 +61,7 @@ void print_tree(const std::map<std::int64_t, std::vector<const workbench::Histor
 }
 
 Result<Answer> run_history(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
   Answer answer;
   answer.json = {{"head", file.head()}, {"history", Json::array()}};
   std::map<std::int64_t, std::vector<const workbench::HistoryNode*>> children;
@@ -88,15 +88,26 @@ Answer moved(const workbench::ProjectFile& file, const std::string& verb) {
 }
 
 Result<Answer> run_undo(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
+                          open_project(arguments.project, console, workbench::ProjectFile::Purpose::kMove));
   TROCAR_RETURN_IF_ERROR(file.undo());
   return moved(file, "undone");
 }
 
 Result<Answer> run_redo(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
+                          open_project(arguments.project, console, workbench::ProjectFile::Purpose::kMove));
   TROCAR_RETURN_IF_ERROR(file.redo());
   return moved(file, "done again");
+}
+
+Result<Answer> run_recover(const ProjectArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_edit(arguments.project, console));
+  Answer answer;
+  answer.json = {{"recovered", file.recovered()}};
+  answer.summary = file.recovered() == 0 ? "nothing to recover"
+                                         : fmt::format("recovered {}", counted(file.recovered(), "recording"));
+  return answer;
 }
 
 }  // namespace
@@ -105,6 +116,8 @@ void add_project_commands(CLI::App& root, Action& chosen) {
   add_verb<ProjectArguments>(root, chosen, "new", "Make an empty project with the standard board", bind, run_new);
   add_verb<ProjectArguments>(root, chosen, "info", "Say what a project holds", bind, run_info);
   add_verb<ProjectArguments>(root, chosen, "history", "Show every edit as a tree", bind, run_history);
+  add_verb<ProjectArguments>(root, chosen, "recover", "Take in recordings that were cut off, as every edit does", bind,
+                             run_recover);
   add_verb<ProjectArguments>(root, chosen, "undo", "Go back by one edit", bind, run_undo);
   add_verb<ProjectArguments>(root, chosen, "redo", "Go forward by one edit", bind, run_redo);
 }

@@ -20,7 +20,7 @@ Error describe(int code, const char* detail) {
     case SQLITE_ERROR:
       return {ErrorCode::kCorrupt, fmt::format("the project's tables are not as they should be ({})", detail)};
     case SQLITE_FULL:
-      return {ErrorCode::kIo, "the disk is full, nothing was changed in the project"};
+      return {ErrorCode::kIo, "the disk is full"};
     case SQLITE_READONLY:
       return {ErrorCode::kIo, "the project cannot be written, its file or folder is read-only"};
     case SQLITE_CANTOPEN:
@@ -42,6 +42,16 @@ int bind(sqlite3_stmt* statement, int index, const Value& value) {
   // A null pointer would bind NULL in place of an empty blob.
   return sqlite3_bind_blob64(statement, index, bytes.data() == nullptr ? "" : bytes.data(), bytes.size(),
                              SQLITE_STATIC);
+}
+
+/// As SQLite's file: names want it.
+std::string escaped(std::string_view path) {
+  std::string text;
+  for (const char c : path) {
+    const bool plain = c != '%' && c != '?' && c != '#';
+    text += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+  }
+  return text;
 }
 
 /// Lets go of the bound values and of the read lock on every path out.
@@ -81,10 +91,16 @@ void Database::Finalize::operator()(sqlite3_stmt* statement) const {
 
 Result<Database> Database::open(const std::filesystem::path& path, Access access) {
   int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
-  flags |= access == Access::kReadOnly ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
+  const bool writes = access == Access::kCreate || access == Access::kWrite;
+  flags |= writes ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY;
   if (access == Access::kCreate) flags |= SQLITE_OPEN_CREATE;
+  std::string name = path.string();
+  if (access == Access::kImmutable) {
+    flags |= SQLITE_OPEN_URI;
+    name = "file:" + escaped(name) + "?immutable=1";
+  }
   sqlite3* connection = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &connection, flags, nullptr);
+  const int code = sqlite3_open_v2(name.c_str(), &connection, flags, nullptr);
   Database database(connection, path);
   if (code != SQLITE_OK) return database.failure(code);
   sqlite3_busy_timeout(connection, kBusyTimeout_ms);

@@ -40,7 +40,7 @@ class Row {
 /// Threads: one at a time.
 class Database {
  public:
-  enum class Access { kCreate, kWrite, kReadOnly };
+  enum class Access { kCreate, kWrite, kReadOnly, kImmutable };
   static Result<Database> open(const std::filesystem::path& path, Access access);
 
   /// Several statements without parameters.

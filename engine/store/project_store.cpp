@@ -1,6 +1,7 @@
 #include "engine/store/project_store.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -33,6 +34,30 @@ constexpr std::array kSuffixes = {"", "-wal", "-shm", "-journal"};
 void remove_with_log(const fs::path& path) {
   std::error_code ignored;
   for (const char* suffix : kSuffixes) fs::remove(fs::path(path) += suffix, ignored);
+}
+
+bool may_write(const fs::path& path) {
+  return ::access(path.c_str(), W_OK) == 0;
+}
+
+/// SQLite reads a log through a file that it makes beside it. Where it may not, a project without a log is read as one
+/// that nobody changes.
+Result<Database> open_to_read(const fs::path& path) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (may_write(path) && may_write(folder)) {
+    TROCAR_ASSIGN_OR_RETURN(Database database, Database::open(path, Database::Access::kWrite));
+    TROCAR_RETURN_IF_ERROR(database.execute("PRAGMA query_only = 1"));
+    return database;
+  }
+  std::error_code error;
+  const std::uintmax_t log_size = fs::file_size(log_of(path), error);
+  if (error || log_size == 0) return Database::open(path, Database::Access::kImmutable);
+  TROCAR_ASSIGN_OR_RETURN(Database database, Database::open(path, Database::Access::kReadOnly));
+  if (database.integer("SELECT node FROM head", {}, 0)) return database;
+  return refuse(ErrorCode::kIo,
+                "the project has changes in a log that cannot be read without the right to write beside it; copy both "
+                "to another folder",
+                log_of(path));
 }
 
 /// A name for comparisons, also of what does not exist.
@@ -102,9 +127,10 @@ Result<ProjectStore> ProjectStore::create(const fs::path& path) {
   return open(path);
 }
 
-Result<ProjectStore> ProjectStore::open(const fs::path& path) {
+Result<ProjectStore> ProjectStore::open(const fs::path& path, Access access) {
   TROCAR_RETURN_IF_ERROR(check_header(path));
-  TROCAR_ASSIGN_OR_RETURN(Database database, Database::open(path, Database::Access::kWrite));
+  TROCAR_ASSIGN_OR_RETURN(
+      Database database, access == Access::kRead ? open_to_read(path) : Database::open(path, Database::Access::kWrite));
   TROCAR_RETURN_IF_ERROR(database.execute("PRAGMA synchronous = NORMAL; PRAGMA cache_size = -8192;"));
   ProjectStore store(std::make_unique<Impl>(std::move(database)));
   TROCAR_RETURN_IF_ERROR(store.changed_elsewhere());

@@ -66,8 +66,12 @@ class ProjectStore {
  public:
   /// Errors: kIo (exists already, folder missing, not writable).
   static Result<ProjectStore> create(const std::filesystem::path& path);
-  /// Errors: kNotFound; kCorrupt (not a project, truncated); kUnsupported (newer schema); kIo (locked, unreadable).
-  static Result<ProjectStore> open(const std::filesystem::path& path);
+  /// `kRead` changes nothing and needs no right to write, neither to the file nor to its folder; where there is that
+  /// right, the file's log is still tidied up.
+  enum class Access { kRead, kWrite };
+  /// Errors: kNotFound; kCorrupt (not a project, truncated); kUnsupported (newer schema); kIo (locked, unreadable, or a
+  /// log that cannot be read without the right to write).
+  static Result<ProjectStore> open(const std::filesystem::path& path, Access access = Access::kWrite);
   ~ProjectStore();
   ProjectStore(ProjectStore&&) noexcept;
   ProjectStore& operator=(ProjectStore&&) noexcept;

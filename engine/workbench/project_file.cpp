@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -38,6 +39,7 @@ struct ProjectFile::Impl {
   std::unordered_map<std::int64_t, ProjectPointer> keyframes{{0, std::make_shared<const Project>()}};
   std::int64_t head = 0;
   ProjectPointer project = keyframes.at(0);
+  std::size_t recovered = 0;
   bool behind = false;  ///< Another program has changed the store, and it has not been taken in yet.
 
   Status take_rows(std::vector<store::JournalRow> rows);
@@ -51,6 +53,8 @@ struct ProjectFile::Impl {
   std::vector<store::RedoRow> redo_back_from(std::int64_t node) const;
   Status move(const std::function<Result<std::int64_t>()>& where);
   Result<std::int64_t> commit(const std::function<Result<Edit>()>& prepare);
+  Result<std::vector<store::RecordingRow>> cut_off() const;
+  void recover(const store::RecordingRow& row, Diagnostics& diagnostics);
 };
 
 Status ProjectFile::Impl::take_rows(std::vector<store::JournalRow> rows) {
@@ -180,6 +184,36 @@ Result<std::int64_t> ProjectFile::Impl::commit(const std::function<Result<Edit>(
   return id;
 }
 
+/// Recordings that nobody writes any more and no entry of the history names.
+Result<std::vector<store::RecordingRow>> ProjectFile::Impl::cut_off() const {
+  TROCAR_ASSIGN_OR_RETURN(std::vector<store::RecordingRow> rows, store.recordings());
+  std::set<std::int64_t> named;
+  for (const auto& [node, entry] : entries) {
+    if (entry.name != AddDemonstration::kName) continue;
+    const Result<Edit> edit = edit_from_json(entry.name, entry.parameters);
+    if (edit) named.insert(std::get<AddDemonstration>(*edit).recording.value);
+  }
+  std::erase_if(rows, [&named](const auto& row) { return row.writer_lives || named.contains(row.id); });
+  return rows;
+}
+
+/// Says that it is recovered when that is on the disk, and not before.
+void ProjectFile::Impl::recover(const store::RecordingRow& row, Diagnostics& diagnostics) {
+  Result<Recovered> whole = recover_recording(store, row);
+  if (whole && !whole->kept) {
+    return diagnostics.warn("a recording was cut off before it had 2 samples and was dropped");
+  }
+  Status done = whole.map([](const Recovered&) {});
+  if (done) {
+    const AddDemonstration add{whole->recording, fmt::format("Recovered ({:.1f} s)", whole->duration_s)};
+    done = commit([&add]() -> Result<Edit> { return add; }).map([](std::int64_t) {});
+  }
+  if (done) ++recovered;
+  diagnostics.warn(
+      done ? fmt::format("a recording was cut off after {:.1f} s and has been recovered", whole->duration_s)
+           : fmt::format("recording {} was cut off and cannot be recovered now ({})", row.id, done.error().text()));
+}
+
 ProjectFile::ProjectFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ProjectFile::~ProjectFile() = default;
 ProjectFile::ProjectFile(ProjectFile&&) noexcept = default;
@@ -191,21 +225,30 @@ Result<ProjectFile> ProjectFile::create(const std::filesystem::path& path, std::
 }
 
 Result<ProjectFile> ProjectFile::open(const std::filesystem::path& path, std::shared_ptr<const Clock> clock,
-                                      Diagnostics& diagnostics) {
-  TROCAR_ASSIGN_OR_RETURN(store::ProjectStore store, store::ProjectStore::open(path));
+                                      Diagnostics& diagnostics, Purpose purpose) {
+  const auto access =
+      purpose == Purpose::kRead ? store::ProjectStore::Access::kRead : store::ProjectStore::Access::kWrite;
+  TROCAR_ASSIGN_OR_RETURN(store::ProjectStore store, store::ProjectStore::open(path, access));
   ProjectFile file(std::make_unique<Impl>(std::move(store), std::move(clock)));
   Status loaded = file.impl_->load();
   if (!loaded) return tl::unexpected(std::move(loaded).error().at(path.string()));
-  TROCAR_ASSIGN_OR_RETURN(const auto journal, file.impl_->store.journal());
-  for (const Recovered& recovered : recover_recordings(file.impl_->store, journal, diagnostics)) {
-    const Result<std::int64_t> added = file.commit(AddDemonstration{recovered.recording, recovered.name});
-    if (!added) diagnostics.warn(added.error().text());
+  TROCAR_ASSIGN_OR_RETURN(const auto cut_off, file.impl_->cut_off());
+  for (const store::RecordingRow& row : cut_off) {
+    if (purpose == Purpose::kEdit) {
+      file.impl_->recover(row, diagnostics);
+    } else {
+      diagnostics.warn("a recording was cut off; it is recovered when the project is next opened to be edited");
+    }
   }
   return file;
 }
 
 std::shared_ptr<const Project> ProjectFile::project() const {
   return impl_->project;
+}
+
+std::size_t ProjectFile::recovered() const {
+  return impl_->recovered;
 }
 
 Result<std::int64_t> ProjectFile::commit(const Edit& edit) {

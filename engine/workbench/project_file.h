@@ -26,17 +26,25 @@ namespace trocar::workbench {
 /// Threads: one at a time (the main thread).
 class ProjectFile {
  public:
+  enum class Purpose {
+    kRead,  ///< Nothing is written, so that it works where nothing can be; every change is an error (kIo).
+    kMove,  ///< Undo and redo: as kEdit, but nothing is recovered, which would be an edit and end what can be redone.
+    kEdit,
+  };
+
   static Result<ProjectFile> create(const std::filesystem::path& path, std::shared_ptr<const Clock> clock);
-  /// Rebuilds the document at HEAD. Recordings that were cut off are added as recovered demonstrations ("Recovered
-  /// (14.7 s)"), each with a warning. Errors: as `store::ProjectStore::open`, kCorrupt for a journal that does not
-  /// apply.
+  /// Rebuilds the document at HEAD. To edit, recordings that were cut off are added as recovered demonstrations
+  /// ("Recovered (14.7 s)"), each with a warning; else a warning says that they wait.
+  /// Errors: as `store::ProjectStore::open`, kCorrupt for a journal that does not apply.
   static Result<ProjectFile> open(const std::filesystem::path& path, std::shared_ptr<const Clock> clock,
-                                  Diagnostics& diagnostics);
+                                  Diagnostics& diagnostics, Purpose purpose = Purpose::kEdit);
   ~ProjectFile();
   ProjectFile(ProjectFile&&) noexcept;
   ProjectFile& operator=(ProjectFile&&) noexcept;
 
   std::shared_ptr<const Project> project() const;
+  /// Recordings that were recovered on opening.
+  std::size_t recovered() const;
 
   /// Applies and commits; returns the new node's id (also the id of what was added). Errors: those of `apply`, also
   /// when another program has taken away what the edit is about.

@@ -1,10 +1,6 @@
-/// Finds recordings that a crash cut off, so that they can be put into the project.
+/// Makes whole what is left of a recording that a crash cut off, so that it can be put into the project.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "engine/core/diagnostics.h"
 #include "engine/core/result.h"
 #include "engine/demonstration/recording.h"
 #include "engine/store/project_store.h"
@@ -13,13 +9,12 @@ namespace trocar::workbench {
 
 struct Recovered {
   demonstration::RecordingId recording;
-  std::string name;  ///< "Recovered (14.7 s)"
+  bool kept = false;  ///< False: it had fewer than 2 samples and was discarded.
+  double duration_s = 0.0;
 };
 
-/// Finishes each recording whose writer is gone, as recovered, with what is whole of it, and returns those that no
-/// journal row names; ones with fewer than 2 samples are discarded. Each gets a warning. What cannot be read is left
-/// as it is, with a warning.
-std::vector<Recovered> recover_recordings(store::ProjectStore& store, const std::vector<store::JournalRow>& journal,
-                                          Diagnostics& diagnostics);
+/// Finishes a recording whose writer is gone, as recovered, with what is whole of it.
+/// Errors: those of reading and writing; what cannot be read is left as it is.
+Result<Recovered> recover_recording(store::ProjectStore& store, const store::RecordingRow& row);
 
 }  // namespace trocar::workbench

@@ -1,9 +1,11 @@
 """The command line against a world that says no: broken projects, broken files, full folders, interrupts."""
 import os
 import pathlib
+import shutil
 import signal
 import sqlite3
 import subprocess
+import tempfile
 import time
 import unittest
 
@@ -77,6 +79,64 @@ class BrokenProjects(CommandLineTest):
             database.commit()
             database.close()
             self.refused("info", path, code=WORLD)
+
+
+READING = (["info", "P"], ["history", "P"], ["demo", "list", "P"], ["demo", "show", "P", "1"], ["demo", "check", "P", "1"],
+           ["demo", "diff", "P", "1"], ["model", "list", "P"], ["model", "show", "P", "2"], ["model", "compare", "P", "2", "2"],
+           ["rollout", "run", "P", "2"], ["field", "export", "P", "2", "--out", "OUT.csv"], ["demo", "export", "P", "1", "OUT.npy"])
+
+
+class ReadOnly(CommandLineTest):
+    """Reading needs no right to write; the folder holds nothing but the project afterwards."""
+
+    def setUp(self):
+        super().setUp()
+        self.outside = pathlib.Path(tempfile.mkdtemp(prefix="trocar_cli_out_"))
+        self.addCleanup(shutil.rmtree, self.outside, ignore_errors=True)
+        self.addCleanup(self.folder.chmod, 0o700)
+        self.outside.chmod(0o777)
+
+    def as_somebody(self, *arguments):
+        """The super-user may write everywhere, so that for him somebody else runs it."""
+        keywords = {"user": "nobody", "group": "nogroup", "extra_groups": []} if os.geteuid() == 0 else {}
+        return trocar(*arguments, **keywords)
+
+    def protect(self, project):
+        project.chmod(0o444)
+        self.folder.chmod(0o555)
+
+    def test_every_reading_command_works(self):
+        project = self.recorded_project().rename(self.folder / "read only? 100%23 #1.trocar")
+        self.protect(project)
+        for words in READING:
+            words = [{"P": str(project)}.get(word, word.replace("OUT", str(self.outside / "out"))) for word in words]
+            done = self.as_somebody(*words)
+            self.assertIn(done.returncode, (DONE, 1 if words[1] == "check" else DONE), f"{words}: {done.stderr}")
+            self.assertNotIn("cannot", done.stderr)
+        self.assertEqual([path.name for path in self.folder.iterdir()], [project.name])
+
+    def test_changing_commands_say_why_not(self):
+        project = self.recorded_project()
+        self.protect(project)
+        for words in (["undo", project], ["demo", "edit", project, "1", "rename", "X"]):
+            done = self.as_somebody(*words)
+            self.assertEqual(done.returncode, WORLD, done.stderr)
+            self.assertIn("read-only", done.stderr)
+
+    def test_a_log_that_cannot_be_read_is_said(self):
+        project = self.recorded_project()
+        process = subprocess.Popen([TROCAR, "demo", "record", str(project)], stdout=subprocess.DEVNULL)
+        log = pathlib.Path(f"{project}-wal")
+        while process.poll() is None and not (log.exists() and log.stat().st_size > 100000):
+            time.sleep(0.002)
+        process.kill()
+        process.wait()
+        pathlib.Path(f"{project}-shm").unlink()
+        log.chmod(0o444)
+        self.protect(project)
+        done = self.as_somebody("info", project)
+        self.assertEqual(done.returncode, WORLD, done.stderr)
+        self.assertIn("in a log", done.stderr)
 
 
 class BrokenFiles(CommandLineTest):
@@ -221,26 +281,38 @@ class Interrupts(CommandLineTest):
         self.assertEqual(code, WORLD, error)
         self.assertEqual(self.answer("info", project)["hash"], before)
 
-    def test_a_recording_keeps_what_was_recorded_and_the_project_opens(self):
-        project = self.empty_project()
-        size = project.stat().st_size
+    def test_a_recording_that_is_stopped_is_discarded_and_says_so(self):
+        project = self.recorded_project()
+        self.answer("undo", project)
         log = pathlib.Path(f"{project}-wal")
         code, error = self.interrupt("demo", "record", project, "--skill", "novice",
-                                     wait_for=lambda: log.exists() and log.stat().st_size > size)
-        self.assertIn(code, (DONE, WORLD), error)
-        self.assertLessEqual(self.answer("info", project)["demonstrations"], 1)
+                                     wait_for=lambda: log.exists() and log.stat().st_size > 300000)
+        self.assertEqual(code, WORLD, error)
+        self.assertRegex(error, r"the recording was stopped; its \d+\.\d s were discarded")
+        done = trocar("demo", "list", project)
+        self.assertEqual((done.stdout.count("\n"), done.stderr), (1, ""))
+        self.answer("redo", project)
 
     def test_killed_without_warning(self):
-        project = self.empty_project()
+        project = self.recorded_project()
+        self.answer("undo", project)
         log = pathlib.Path(f"{project}-wal")
         process = subprocess.Popen([TROCAR, "demo", "record", str(project)], stdout=subprocess.DEVNULL)
         while process.poll() is None and not (log.exists() and log.stat().st_size > 300000):
             time.sleep(0.002)
         process.kill()
         process.wait()
+        # Reading says that there is something; only an edit or `recover` takes it in, so that redo still works.
+        for words in (["demo", "list"], ["history"], ["undo"], ["redo"], ["redo"]):
+            done = trocar(*words, project)
+            self.assertEqual(done.returncode, DONE, done.stderr)
+            self.assertIn("was cut off", done.stderr)
+        self.assertEqual(self.answer("recover", project)["recovered"], 1)
+        self.assertEqual(self.answer("recover", project)["recovered"], 0)
         listed = self.answer("demo", "list", project)["demonstrations"]
-        self.assertEqual(len(listed), 1)
-        self.assertGreater(listed[0]["samples"], 100)
+        self.assertEqual(len(listed), 2)
+        self.assertGreater(listed[1]["samples"], 100)
+        self.assertTrue(listed[1]["name"].startswith("Recovered ("))
 
 
 if __name__ == "__main__":

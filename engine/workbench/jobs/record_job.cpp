@@ -48,7 +48,11 @@ Result<RecordReport> record_transfer(ProjectFile& file, const trial::TransferOpt
     report.duration_s = session.state().tick.seconds();
     // How far a transfer has come is best told by its segment.
     progress.set(static_cast<double>(session.segment()) / demonstration::kSegmentCount);
-    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the recording was cancelled");
+    if (!progress.cancelled()) continue;
+    // Who stops it on purpose does not want it back as if a crash had cut it off.
+    TROCAR_RETURN_IF_ERROR(writer.discard());
+    return fail(ErrorCode::kCancelled,
+                fmt::format("the recording was stopped; its {:.1f} s were discarded", report.duration_s));
   }
   report.outcome = session.outcome();
   report.placed = session.placed();

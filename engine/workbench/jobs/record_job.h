@@ -22,7 +22,7 @@ struct RecordReport {
 /// "Expert 3": the skill and the first number that is free.
 std::string demonstration_name(const Project& project, trial::Skill skill);
 
-/// Threads: the project's. Errors: kIo; kCancelled: what was recorded until then is kept and can be recovered.
+/// Threads: the project's. Errors: kIo; kCancelled: what was recorded until then is discarded.
 Result<RecordReport> record_transfer(ProjectFile& file, const trial::TransferOptions& options, std::string name,
                                      Progress& progress);
 
