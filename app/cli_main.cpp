@@ -39,7 +39,10 @@ int run(const std::vector<std::string>& arguments) {
     console.print_error(answer.error());
     return exit_code(answer.error().code());
   }
-  console.print(*answer);
+  if (const Status printed = console.print(*answer); !printed) {
+    console.print_error(printed.error());
+    return exit_code(printed.error().code());
+  }
   return answer->passed ? kExitDone : kExitCheckFailed;
 }
 

@@ -5,7 +5,10 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <condition_variable>
+#include <cstdio>
+#include <cstring>
 #include <mutex>
 #include <stop_token>
 #include <thread>
@@ -51,14 +54,21 @@ void Console::restart_progress() {
   progress_->set(0.0);
 }
 
-void Console::print(const Answer& answer) {
+Status Console::print(const Answer& answer) {
+  std::string text;
   if (json) {
-    fmt::print("{}\n", answer.json.dump(2, ' ', false, Json::error_handler_t::replace));
+    text = answer.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   } else if (!quiet) {
-    fmt::print("{}\n", answer.text.empty() ? answer.summary : answer.text);
+    text = (answer.text.empty() ? answer.summary : answer.text) + "\n";
   }
-  std::fflush(stdout);
+  errno = 0;
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  const bool flushed = std::fflush(stdout) == 0;
+  const int reason = errno;
   print_warnings();
+  if (flushed && std::ferror(stdout) == 0) return {};
+  return fail(ErrorCode::kIo, reason == 0 ? "the answer could not be printed"
+                                          : fmt::format("the answer could not be printed ({})", std::strerror(reason)));
 }
 
 void Console::print_error(const Error& error) const {

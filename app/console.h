@@ -41,7 +41,8 @@ class Console {
   void restart_progress();
 
   /// Prints the answer to standard output and the warnings to standard error.
-  void print(const Answer& answer);
+  /// Errors: kIo if not all that was ever printed has arrived (full disk, closed pipe).
+  Status print(const Answer& answer);
   void print_error(const Error& error) const;
   void print_warnings();
 

@@ -30,9 +30,9 @@ struct UiRunReport {
 /// Draws off-screen and obeys the script; waits until the project is open and the picture is there before the first
 /// line and before the last screenshot. Settings of the user are neither read nor written.
 ///
-/// Errors: kInvalidArgument for the size, the scale or the script, naming its line; kNotFound for a missing file or
-/// label; kCheckFailed for an expectation that does not hold, naming its line; kUnsupported without OSMesa; kIo.
-/// Threads: call it in the main thread, where no GL context is current.
+/// Errors: kInvalidArgument for the size, the scale or the script, naming its line; kIo for a missing file,
+/// kNotFound for a missing label; kCheckFailed for an expectation that does not hold, naming its line; kUnsupported
+/// without OSMesa; kIo. Threads: call it in the main thread, where no GL context is current.
 Result<UiRunReport> run_headless(const UiRunOptions& options);
 
 }  // namespace trocar::ui

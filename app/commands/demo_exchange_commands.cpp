@@ -37,8 +37,7 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   imported.recording.provenance.created = iso_time(console.clock->unix_s());
   const std::string name =
       arguments.name.empty() ? std::filesystem::path(arguments.file).stem().string() : arguments.name;
-  TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId recording, file.store_recording(imported.recording));
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(workbench::AddDemonstration{recording, name}));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.add_recording(imported.recording, name));
   const auto& document = *file.project()->demonstrations.at(demonstration::DemonstrationId{id});
   Answer answer;
   answer.json = demonstration_json(document);

@@ -117,8 +117,7 @@ Result<Answer> run_train(const TrainArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(workbench::ModelEntry trained,
                           workbench::train_model(*file.project(), request, console.progress()));
   if (trained.created.empty()) trained.created = iso_time(console.clock->unix_s());
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t object, file.store_model(trained));
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(workbench::AddModel{object}));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.add_model(trained, console.progress()));
   const auto& entry = *file.project()->models.at(workbench::ModelId{id});
   Answer answer;
   answer.json = full_json(*file.project(), entry);

@@ -65,7 +65,9 @@ class Table {
   void row(const std::string& step, const std::string& seconds, const std::string& found) const {
     if (!shown_) return;
     if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");  // over the progress bar
-    fmt::print("{}  {}  {}\n", padded(step, width_), seconds, found);
+    // What does not arrive is told when the answer is printed.
+    const std::string line = fmt::format("{}  {}  {}\n", padded(step, width_), seconds, found);
+    std::fwrite(line.data(), 1, line.size(), stdout);
     std::fflush(stdout);
   }
 

@@ -46,8 +46,7 @@ Status write_all(int fd, std::string_view bytes) {
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t limit_bytes) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) {
-    const ErrorCode code = errno == ENOENT ? ErrorCode::kNotFound : ErrorCode::kIo;
-    return tl::unexpected(Error(code, "could not open the file (" + reason() + ")").at(path.string()));
+    return tl::unexpected(Error(ErrorCode::kIo, "could not open the file (" + reason() + ")").at(path.string()));
   }
   std::string text;
   char buffer[1 << 16];

@@ -10,7 +10,7 @@
 
 namespace trocar {
 
-/// Errors: kNotFound if there is none, kIo if it cannot be read or is larger than `limit_bytes`.
+/// Errors: kIo if there is none, or it cannot be read or is larger than `limit_bytes`.
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t limit_bytes = std::size_t{1} << 30);
 
 /// The file that a write to `path` is to replace: links are followed, so that they stay links. It need not exist.

@@ -24,7 +24,7 @@ Result<std::vector<std::string>> export_demonstration(const demonstration::Demon
                                                       const std::filesystem::path& path, Format format);
 
 /// The provenance's `device` is the file's name; the time of import is left to the caller.
-/// Errors: kNotFound, kIo; those of `from_csv` and `from_npy`.
+/// Errors: kIo; those of `from_csv` and `from_npy`.
 Result<Imported> import_demonstration(const std::filesystem::path& path, Format format);
 
 }  // namespace trocar::exchange

@@ -10,7 +10,7 @@ namespace trocar::media {
 
 /// Writes atomically. Errors: kInvalidArgument for an empty picture; kIo.
 Status write_png(const std::filesystem::path& path, const Image& image);
-/// Errors: kNotFound, kCorrupt.
+/// Errors: kIo, kCorrupt.
 Result<Image> read_picture(const std::filesystem::path& path);
 
 }  // namespace trocar::media

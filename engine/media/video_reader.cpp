@@ -18,7 +18,7 @@ struct OpenFilm {
 Result<OpenFilm> open_film(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
-    return tl::unexpected(Error(ErrorCode::kNotFound, "there is no such file").at(path.string()));
+    return tl::unexpected(Error(ErrorCode::kIo, "there is no such file").at(path.string()));
   }
   OpenFilm film;
   TROCAR_ASSIGN_OR_RETURN(film.api, media_library());

@@ -11,7 +11,7 @@
 namespace trocar::scene {
 
 /// A file's mesh in the file's units; normals are the file's, or made where it has none.
-/// Errors: kNotFound, kIo, and those of `parse_mesh`, naming the file.
+/// Errors: kIo, and those of `parse_mesh`, naming the file.
 Result<std::shared_ptr<const Mesh>> import_mesh(const std::filesystem::path& path);
 
 /// The same from bytes: what `check_ply` finds sound, read by assimp (which aborts the process on what is not);

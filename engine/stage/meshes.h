@@ -19,7 +19,7 @@ struct Meshes {
   MeshPointer axis;            ///< An arrow along z, 9 mm long.
   MeshPointer highlight_ring;  ///< Round a block at the origin, flat in x and y.
 
-  /// Errors: kNotFound, kCorrupt naming the mesh.
+  /// Errors: kIo, kCorrupt naming the mesh.
   static Result<std::shared_ptr<const Meshes>> load();
 };
 

@@ -61,7 +61,7 @@ struct Meshes;
 /// The meshes of `assets`, loaded once. Threads: immutable after `load`; any.
 class Stage {
  public:
-  /// Errors: kNotFound, kCorrupt naming the mesh.
+  /// Errors: kIo, kCorrupt naming the mesh.
   static Result<std::shared_ptr<const Stage>> load();
 
   scene::Scene scene(const Pose3d& pose, const std::vector<PathLayer>& paths, const std::vector<FieldLayer>& fields,

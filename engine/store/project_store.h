@@ -69,7 +69,7 @@ class ProjectStore {
   /// `kRead` changes nothing and needs no right to write, neither to the file nor to its folder; where there is that
   /// right, the file's log is still tidied up.
   enum class Access { kRead, kWrite };
-  /// Errors: kNotFound; kCorrupt (not a project, truncated); kUnsupported (newer schema); kIo (locked, unreadable, or a
+  /// Errors: kCorrupt (not a project, truncated); kUnsupported (newer schema); kIo (missing, locked, unreadable, or a
   /// log that cannot be read without the right to write).
   static Result<ProjectStore> open(const std::filesystem::path& path, Access access = Access::kWrite);
   ~ProjectStore();

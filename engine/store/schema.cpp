@@ -115,7 +115,7 @@ Status check_header(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
-    return tl::unexpected(Error(ErrorCode::kNotFound, "there is no such project").at(path.string()));
+    return tl::unexpected(Error(ErrorCode::kIo, "there is no such project").at(path.string()));
   }
   if (!std::filesystem::is_regular_file(status)) {
     return tl::unexpected(Error(ErrorCode::kCorrupt, "a project is a file, this is not one").at(path.string()));

@@ -11,7 +11,7 @@ namespace trocar::store {
 extern const char* const kSchemaSql;
 
 /// Reads at most 100 bytes and changes nothing, so that a foreign or damaged file is left exactly as it is.
-/// Errors: kNotFound; kIo (not readable); kCorrupt (not a project, truncated); kUnsupported (newer schema).
+/// Errors: kIo (missing, not readable); kCorrupt (not a project, truncated); kUnsupported (newer schema).
 Status check_header(const std::filesystem::path& path);
 
 /// The write-ahead log that belongs to a project, which is there only while it is open or after a crash.

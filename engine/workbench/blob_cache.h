@@ -17,6 +17,9 @@ class BlobCache final : public BlobSource {
   /// Errors: kNotFound; kCorrupt for one that is unfinished or does not match its own hash.
   Result<std::shared_ptr<const demonstration::Recording>> recording(demonstration::RecordingId id) const override;
   Result<ModelEntry> model(std::int64_t object) const override;
+  /// After a transaction was rolled back: its number will be given again, to other content.
+  void forget(demonstration::RecordingId id) { recordings_.erase(id); }
+  void forget_model(std::int64_t object) { models_.erase(object); }
 
  private:
   const store::ProjectStore& store_;

@@ -324,6 +324,27 @@ Result<std::int64_t> ProjectFile::store_model(const ModelEntry& entry) {
   return impl_->store.put_object(kModelKind, encoded.meta, encoded.bytes);
 }
 
+Result<std::int64_t> ProjectFile::add_recording(const demonstration::Recording& recording, const std::string& name) {
+  demonstration::RecordingId id;
+  Result<std::int64_t> node = impl_->commit([&]() -> Result<Edit> {
+    TROCAR_ASSIGN_OR_RETURN(id, store_recording(recording));
+    return AddDemonstration{id, name};
+  });
+  if (!node) impl_->blobs.forget(id);
+  return node;
+}
+
+Result<std::int64_t> ProjectFile::add_model(const ModelEntry& entry, const Progress& progress) {
+  std::int64_t object = 0;
+  Result<std::int64_t> node = impl_->commit([&]() -> Result<Edit> {
+    TROCAR_ASSIGN_OR_RETURN(object, store_model(entry));
+    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the training was stopped; the model was not kept");
+    return AddModel{object};
+  });
+  if (!node) impl_->blobs.forget_model(object);
+  return node;
+}
+
 Status ProjectFile::set_setting(const std::string& key, const std::string& value) {
   return impl_->store.set_setting(key, value);
 }

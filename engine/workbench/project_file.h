@@ -10,6 +10,7 @@
 
 #include "engine/core/clock.h"
 #include "engine/core/diagnostics.h"
+#include "engine/core/progress.h"
 #include "engine/core/result.h"
 #include "engine/demonstration/recording.h"
 #include "engine/workbench/edit.h"
@@ -67,6 +68,10 @@ class ProjectFile {
   Result<demonstration::RecordingId> store_recording(const demonstration::Recording& recording);
   /// Stores a trained model; add it with AddModel.
   Result<std::int64_t> store_model(const ModelEntry& entry);
+  /// Both of the above with their edit, in one transaction: all of it is in the project, or nothing. Returns the new
+  /// node's id, which is that of the demonstration or model. Errors: kCancelled if `progress` was cancelled.
+  Result<std::int64_t> add_recording(const demonstration::Recording& recording, const std::string& name);
+  Result<std::int64_t> add_model(const ModelEntry& entry, const Progress& progress);
 
   Status set_setting(const std::string& key, const std::string& value);
   Result<std::optional<std::string>> setting(const std::string& key) const;

@@ -150,8 +150,7 @@ void Workbench::Impl::on(const TrainModel& command) {
     auto entry = std::make_shared<const ModelEntry>(std::move(*trained));
     const std::string message = fmt::format("trained in {:.2f} s", entry->model->seconds);
     return JobResult{message, [this, entry]() -> Status {
-                       TROCAR_ASSIGN_OR_RETURN(const std::int64_t object, file->store_model(*entry));
-                       TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file->commit(AddModel{object}));
+                       TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file->add_model(*entry, Progress()));
                        state.model = ModelId{id};
                        refresh_document();
                        return {};

@@ -24,7 +24,7 @@ class BrokenProjects(CommandLineTest):
             self.assertEqual(path.read_bytes(), before)
 
     def test_missing(self):
-        self.check_refused(self.folder / "none.trocar", USAGE)
+        self.check_refused(self.folder / "none.trocar", WORLD)
         self.assertEqual(self.leftovers(), [])
 
     def test_foreign(self):
@@ -169,7 +169,7 @@ class BrokenFiles(CommandLineTest):
                 done = trocar("demo", "import", project, path)
                 self.assertIn(done.returncode, (USAGE, WORLD), done.stderr)
                 self.assertEqual(self.answer("info", project)["hash"], before)
-        self.refused("demo", "import", project, self.folder / "none.csv", code=USAGE)
+        self.refused("demo", "import", project, self.folder / "none.csv", code=WORLD)
         (self.folder / "folder.csv").mkdir()
         self.refused("demo", "import", project, self.folder / "folder.csv", code=WORLD)
 
@@ -189,6 +189,16 @@ class BrokenFiles(CommandLineTest):
 
 
 class Outputs(CommandLineTest):
+    def test_an_answer_that_does_not_arrive_is_an_error(self):
+        project = self.recorded_project()
+        script = self.folder / "two.trocar"
+        script.write_text(f"info {project}\ninfo {project}\n")
+        for words in (["info", project], ["--json", "demo", "list", project], ["--help"], ["run", script]):
+            with open("/dev/full", "w") as full:  # Opened, never replaced: writing to it fails as on a full disk.
+                done = subprocess.run([TROCAR, *map(str, words)], stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual(done.returncode, WORLD, words)
+            self.assertIn("could not be printed", done.stderr)
+
     def test_a_path_that_cannot_be_written(self):
         project = self.recorded_project()
         for out in (self.folder / "no" / "such", pathlib.Path("/proc/trocar")):

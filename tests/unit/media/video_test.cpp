@@ -214,7 +214,7 @@ TEST_CASE("what is no film says so") {
   const Scratch scratch("nofilm");
   REQUIRE(write_file(scratch.folder / "a.mp4", "this is not a film"));
   CHECK(probe_video(scratch.folder / "a.mp4").error().code() == ErrorCode::kCorrupt);
-  CHECK(probe_video(scratch.folder / "b.mp4").error().code() == ErrorCode::kNotFound);
+  CHECK(probe_video(scratch.folder / "b.mp4").error().code() == ErrorCode::kIo);
   REQUIRE(write_film(scratch.folder / "c.mp4", {64, 48, 30.0, Codec::kAuto}, 3));
   CHECK(read_video_frame(scratch.folder / "c.mp4", 3).error().code() == ErrorCode::kNotFound);
 }

@@ -55,7 +55,7 @@ TEST_CASE("what is no mesh is an error and never a picture of something else") {
   CHECK(scene::parse_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").error().code() == ErrorCode::kCorrupt);
   CHECK(scene::parse_mesh(good + "3 0 1 2\n").error().code() == ErrorCode::kCorrupt);
   CHECK(scene::parse_mesh("ply\nformat binary_little_endian 1.0\n").error().code() == ErrorCode::kUnsupported);
-  CHECK(scene::import_mesh("/nowhere/at/all.ply").error().code() == ErrorCode::kNotFound);
+  CHECK(scene::import_mesh("/nowhere/at/all.ply").error().code() == ErrorCode::kIo);
 }
 
 TEST_CASE("a mesh cut short anywhere is an error") {

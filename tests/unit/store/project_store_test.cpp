@@ -109,7 +109,7 @@ TEST_CASE("what is not a project is refused with its reason and left as it is") 
   CHECK(refusal(std::string(5000, 'x')) == "the file is not a Trocar project");
   CHECK(refusal(std::string("SQLite format 3\0", 16) + std::string(5000, '\0')) ==
         "the file is a database of another program, not a Trocar project");
-  CHECK(ProjectStore::open(folder / "missing.trocar").error().code() == ErrorCode::kNotFound);
+  CHECK(ProjectStore::open(folder / "missing.trocar").error().code() == ErrorCode::kIo);
   CHECK(ProjectStore::open(folder.path()).error().code() == ErrorCode::kCorrupt);
 }
 

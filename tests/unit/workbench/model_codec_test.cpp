@@ -6,41 +6,7 @@
 
 using namespace trocar;
 using namespace trocar::workbench;
-
-namespace {
-
-/// A model whose every array holds something else.
-ModelEntry small_model() {
-  learning::Model model;
-  model.grid = spatial::Grid::with_cells(3);
-  const auto cells = static_cast<std::size_t>(model.grid.cell_count());
-  model.options.method = learning::Method::kExact;
-  model.options.seed = 0xFFFFFFFFFFFFFFFFULL;
-  model.experts = {{{0}, {1}, {2}}, {{3}, {4}}};
-  model.start = {0};
-  model.goal = {2};
-  model.safe = spatial::CellSet(model.grid);
-  model.safe.insert({5});
-  for (std::size_t i = 0; i < cells; ++i) {
-    model.theta.push_back(0.1 * static_cast<double>(i));
-    model.value.push_back(-0.1 * static_cast<double>(i));
-    model.visits.push_back(static_cast<std::uint32_t>(i));
-    model.tried.push_back(static_cast<std::uint8_t>(i % 64));
-  }
-  for (std::size_t i = 0; i < 6 * cells; ++i) model.q.push_back(1.0 / static_cast<double>(i + 1));
-  model.curve = {0.5, 0.25};
-  model.seconds = 1.5;
-  ModelEntry entry;
-  entry.name = "exact A";
-  entry.segment = demonstration::Segment::kC;
-  entry.demonstrations = {{1}, {4}};
-  entry.demonstration_hashes = {1, 0xFFFFFFFFFFFFFFFFULL};
-  entry.created = "2026-01-01T00:00:00Z";
-  entry.model = std::make_shared<const learning::Model>(std::move(model));
-  return entry;
-}
-
-}  // namespace
+using testing::small_model;
 
 TEST_CASE("a stored model reads back to the same hash with all that it came from") {
   const ModelEntry entry = small_model();

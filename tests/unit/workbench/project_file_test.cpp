@@ -230,6 +230,27 @@ TEST_CASE("a bad sample is refused by the writer and the recording goes on witho
   REQUIRE(file.commit(AddDemonstration{id, "Good"}));
 }
 
+TEST_CASE("a model that is cancelled while it is stored leaves nothing behind, and one that is added stays") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId source = add_demonstration(file, 10, "a");
+  const ModelEntry entry = testing::small_model();
+  Progress cancelled;
+  cancelled.cancel();
+  const auto refused = file.add_model(entry, cancelled);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().code() == ErrorCode::kCancelled);
+  CHECK(file.project()->models.empty());
+  ProjectFile other = opened(folder / "p.trocar");
+  REQUIRE(other.commit(EditDemonstration{source, Rename{"b"}}));
+  const auto id = file.add_model(entry, Progress());
+  REQUIRE(id);
+  CHECK(file.project()->models.at(ModelId{*id})->model->hash() == entry.model->hash());
+  CHECK(name_of_only(file) == "b");
+  store::ProjectStore store = store::ProjectStore::open(folder / "p.trocar").value();
+  CHECK(store.objects("model").value().size() == 1);
+}
+
 TEST_CASE("an edit is made on what another program has committed in between, and both stay") {
   const ScratchFolder folder;
   ProjectFile one = created(folder / "p.trocar");
