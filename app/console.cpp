@@ -54,6 +54,10 @@ void Console::restart_progress() {
   progress_->set(0.0);
 }
 
+Status Console::check_not_cancelled() const {
+  return progress_->cancelled() ? Status(fail(ErrorCode::kCancelled, "stopped by the user")) : Status();
+}
+
 Status Console::print(const Answer& answer) {
   std::string text;
   if (json) {

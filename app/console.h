@@ -40,6 +40,9 @@ class Console {
   /// A new command begins: fraction 0. A cancel that has come in stays.
   void restart_progress();
 
+  /// Before a command puts its result in place. Errors: kCancelled if somebody asked it to stop.
+  Status check_not_cancelled() const;
+
   /// Prints the answer to standard output and the warnings to standard error.
   /// Errors: kIo if not all that was ever printed has arrived (full disk, closed pipe).
   Status print(const Answer& answer);

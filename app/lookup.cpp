@@ -73,6 +73,17 @@ Result<std::shared_ptr<const workbench::ModelEntry>> find_model(const workbench:
   return find(project.models, text, "model");
 }
 
+CLI::Option* add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& help) {
+  // The parser's own conversion takes -1 for the largest number, and 010 for eight.
+  const auto check = [](const std::string& text) -> std::string {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool plain = error == std::errc{} && end == text.data() + text.size() && (text[0] != '0' || text.size() == 1);
+    return plain ? "" : text + " is no whole number from 0 to 18446744073709551615";
+  };
+  return verb.add_option("--seed", seed, help)->check(check)->capture_default_str();
+}
+
 Result<std::pair<int, int>> size_from(const std::string& text) {
   const std::size_t cross = text.find('x');
   if (cross != std::string::npos) {

@@ -1,6 +1,8 @@
 /// From what a person types to what the project holds: projects, demonstrations and models by id or unique name.
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -33,6 +35,9 @@ Result<std::shared_ptr<const demonstration::Demonstration>> find_demonstration(c
                                                                                const std::string& text);
 Result<std::shared_ptr<const workbench::ModelEntry>> find_model(const workbench::Project& project,
                                                                 const std::string& text);
+
+/// An option for a seed, 0 … 2⁶⁴ − 1 in decimal digits; anything else is refused, never wrapped or cut off.
+CLI::Option* add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& help);
 
 /// "1280x720". Errors: kInvalidArgument.
 Result<std::pair<int, int>> size_from(const std::string& text);

@@ -18,10 +18,14 @@ namespace {
 
 class Runner {
  public:
-  Runner(Application& application, UiRunReport& report)
-      : application_(application), report_(report), driver_(application.session(), [this] { return step(); }) {}
+  Runner(Application& application, const Progress* progress, UiRunReport& report)
+      : application_(application),
+        progress_(progress),
+        report_(report),
+        driver_(application.session(), [this] { return step(); }) {}
 
   Status step() {
+    if (progress_ != nullptr && progress_->cancelled()) return fail(ErrorCode::kCancelled, "stopped by the user");
     ++report_.frames;
     return application_.step(0.0);
   }
@@ -36,6 +40,7 @@ class Runner {
   Status wait_for(const std::string& path, double limit_s);
 
   Application& application_;
+  const Progress* progress_;
   UiRunReport& report_;
   Driver driver_;
 };
@@ -48,7 +53,7 @@ float number(const std::string& word) {
 Status Runner::settle(double limit_s) {
   for (int round = 0; round < 3; ++round) {
     TROCAR_RETURN_IF_ERROR(driver_.frames(4));
-    TROCAR_RETURN_IF_ERROR(application_.workbench().wait_idle(limit_s));
+    TROCAR_RETURN_IF_ERROR(application_.workbench().wait_idle(limit_s, progress_));
   }
   return driver_.frames(3);
 }
@@ -144,10 +149,13 @@ Result<UiRunReport> run_headless(const UiRunOptions& options) {
   TROCAR_ASSIGN_OR_RETURN(const std::unique_ptr<Application> application,
                           Application::create(*window, workbench, std::move(settings)));
   UiRunReport report;
-  Runner runner(*application, report);
+  Runner runner(*application, options.progress, report);
   TROCAR_RETURN_IF_ERROR(runner.step());
   report.first_frame_s = clock.now_s() - begin_s;
   TROCAR_RETURN_IF_ERROR(runner.settle(60.0));
+  if (!options.project.empty() && workbench.state().load != workbench::LoadState::kReady) {
+    return fail(ErrorCode::kIo, workbench.state().load_error);
+  }
   TROCAR_RETURN_IF_ERROR(run_script(runner, options, report));
   if (!options.screenshot.empty() || options.dump) TROCAR_RETURN_IF_ERROR(runner.settle(60.0));
   if (!options.screenshot.empty()) TROCAR_RETURN_IF_ERROR(runner.screenshot(options.screenshot));

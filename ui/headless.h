@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "engine/core/progress.h"
 #include "engine/core/result.h"
 
 namespace trocar::ui {
@@ -16,7 +17,8 @@ struct UiRunOptions {
   int height = 900;
   double scale = 1.0;  ///< 0.75 … 3.
   bool dark = true;
-  bool dump = false;  ///< Fill `UiRunReport::dump`.
+  bool dump = false;                   ///< Fill `UiRunReport::dump`.
+  const Progress* progress = nullptr;  ///< Cancelled: the run ends at the next frame, and all jobs with it.
 };
 
 struct UiRunReport {
@@ -28,11 +30,12 @@ struct UiRunReport {
 };
 
 /// Draws off-screen and obeys the script; waits until the project is open and the picture is there before the first
-/// line and before the last screenshot. Settings of the user are neither read nor written.
+/// line and before the last screenshot; a project that cannot be opened ends it there. Settings of the user are neither
+/// read nor written.
 ///
 /// Errors: kInvalidArgument for the size, the scale or the script, naming its line; kIo for a missing file,
 /// kNotFound for a missing label; kCheckFailed for an expectation that does not hold, naming its line; kUnsupported
-/// without OSMesa; kIo. Threads: call it in the main thread, where no GL context is current.
+/// without OSMesa; kIo; kCancelled. Threads: call it in the main thread, where no GL context is current.
 Result<UiRunReport> run_headless(const UiRunOptions& options);
 
 }  // namespace trocar::ui

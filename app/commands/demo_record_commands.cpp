@@ -23,8 +23,7 @@ void bind_record(CLI::App& verb, RecordArguments& arguments) {
   verb.add_option("--skill", arguments.skill, "expert, trained or novice")
       ->check(CLI::IsMember({"expert", "trained", "novice"}))
       ->capture_default_str();
-  verb.add_option("--seed", arguments.options.seed, "Seed of the blocks' yaw and of the operator's hand")
-      ->capture_default_str();
+  add_seed(verb, arguments.options.seed, "Seed of the blocks' yaw and of the operator's hand");
   verb.add_option("--block", arguments.options.block, "Block and start peg")
       ->check(CLI::Range(0, 5))
       ->capture_default_str();

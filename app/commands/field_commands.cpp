@@ -75,6 +75,7 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   }
   options.width_px = arguments.width;
   const std::filesystem::path out = arguments.out;
+  TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   if (out.extension() == ".png") {
     TROCAR_RETURN_IF_ERROR(media::write_png(out, figure::draw_field(field, options)));
   } else {

@@ -22,12 +22,14 @@ void bind_train(CLI::App& verb, TrainArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("DEMO", arguments.demonstrations, "Demonstrations by id or name; the first gives start and goal")
       ->required();
-  verb.add_option("--segment", arguments.segment, "The agent's segment, A or C")->capture_default_str();
+  verb.add_option("--segment", arguments.segment, "The agent's segment, A or C")
+      ->check(CLI::IsMember({"A", "C"}, CLI::ignore_case))
+      ->capture_default_str();
   verb.add_option("--method", arguments.method, "eg-maxent, eg-maxent+ or exact")->capture_default_str();
   verb.add_option("--epsilon", arguments.options.epsilon, "Exploration ε, 0 … 1 (0 … 0.1 in the paper)")
       ->capture_default_str();
   verb.add_option("--episodes", arguments.options.episodes, "Episodes N")->capture_default_str();
-  verb.add_option("--seed", arguments.options.seed, "Seed of the random numbers")->capture_default_str();
+  add_seed(verb, arguments.options.seed, "Seed of the random numbers");
   verb.add_option("--grid", arguments.grid, "Cells a side")->capture_default_str();
   verb.add_option("--name", arguments.name, "Name of the model (else made from method and segment)");
 }

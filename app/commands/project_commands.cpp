@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <functional>
 #include <map>
 
@@ -19,6 +20,10 @@ void bind(CLI::App& verb, ProjectArguments& arguments) {
 }
 
 Result<Answer> run_new(const ProjectArguments& arguments, Console& console) {
+  if (std::filesystem::path(arguments.project).extension() != ".trocar") {
+    return tl::unexpected(
+        Error(ErrorCode::kInvalidArgument, "a project's name must end in .trocar").at(arguments.project));
+  }
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           workbench::ProjectFile::create(arguments.project, console.clock));
   Answer answer;

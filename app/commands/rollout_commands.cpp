@@ -54,9 +54,14 @@ double percent(int part, int whole) {
   return whole == 0 ? 0.0 : 100.0 * part / whole;
 }
 
-std::string line_of(const learning::RolloutSummary& summary) {
-  return fmt::format("{} of {} arrive ({:.1f} %), {:.1f} % of them from above", summary.arrived, summary.count,
-                     percent(summary.arrived, summary.count), percent(summary.from_above, summary.arrived));
+/// Only A ends on a block that is to be taken from above; C ends sideways, at the hand-off.
+std::string line_of(const learning::RolloutSummary& summary, demonstration::Segment segment) {
+  std::string line = fmt::format("{} of {} arrive ({:.1f} %)", summary.arrived, summary.count,
+                                 percent(summary.arrived, summary.count));
+  if (segment == demonstration::Segment::kA) {
+    line += fmt::format(", {:.1f} % of them from above", percent(summary.from_above, summary.arrived));
+  }
+  return line;
 }
 
 Result<Answer> run_run(const RunArguments& arguments, Console& console) {
@@ -80,14 +85,14 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   answer.json = json_of(summary);
   answer.json["seconds"] = seconds;
   answer.json["around"] = Json::array();
-  answer.summary = line_of(summary);
+  answer.summary = line_of(summary, entry->segment);
   answer.text = answer.summary;
   for (int k = 1; k <= 5; ++k) {
     const learning::RolloutSummary near = learning::summarise(basin, learning::starts_around(model, k));
     Json row = json_of(near);
     row["k"] = k;
     answer.json["around"].push_back(std::move(row));
-    answer.text += fmt::format("\n  within ±{}: {}", k, line_of(near));
+    answer.text += fmt::format("\n  within ±{}: {}", k, line_of(near, entry->segment));
   }
   return answer;
 }

@@ -38,8 +38,9 @@ void bind_dump(CLI::App& verb, UiArguments& arguments) {
   verb.add_option("--out", arguments.out, "F.json: write the list into a file");
 }
 
-Result<ui::UiRunOptions> options_of(const UiArguments& arguments) {
+Result<ui::UiRunOptions> options_of(const UiArguments& arguments, const Progress& progress) {
   ui::UiRunOptions options;
+  options.progress = &progress;
   TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
   if (!arguments.out.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".json"}));
   if (!arguments.screenshot.empty()) {
@@ -55,8 +56,8 @@ Result<ui::UiRunOptions> options_of(const UiArguments& arguments) {
   return options;
 }
 
-Result<Answer> run_run(const UiArguments& arguments, Console& /*console*/) {
-  TROCAR_ASSIGN_OR_RETURN(const ui::UiRunOptions options, options_of(arguments));
+Result<Answer> run_run(const UiArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const ui::UiRunOptions options, options_of(arguments, console.progress()));
   TROCAR_ASSIGN_OR_RETURN(const ui::UiRunReport report, ui::run_headless(options));
   Answer answer;
   answer.json = {{"lines", report.lines},
@@ -70,8 +71,8 @@ Result<Answer> run_run(const UiArguments& arguments, Console& /*console*/) {
   return answer;
 }
 
-Result<Answer> run_dump(const UiArguments& arguments, Console& /*console*/) {
-  TROCAR_ASSIGN_OR_RETURN(ui::UiRunOptions options, options_of(arguments));
+Result<Answer> run_dump(const UiArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(ui::UiRunOptions options, options_of(arguments, console.progress()));
   options.dump = true;
   TROCAR_ASSIGN_OR_RETURN(const ui::UiRunReport report, ui::run_headless(options));
   Answer answer;

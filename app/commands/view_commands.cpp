@@ -84,7 +84,9 @@ Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
     request.options.lattice_frame = true;
   }
   TROCAR_ASSIGN_OR_RETURN(workbench::Studio studio, workbench::Studio::create());
+  TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_ASSIGN_OR_RETURN(const Image picture, studio.picture(request));
+  TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_RETURN_IF_ERROR(media::write_png(arguments.out, picture));
 
   Answer answer;

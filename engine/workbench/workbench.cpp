@@ -159,9 +159,10 @@ bool Workbench::busy() const {
          (impl_->view && impl_->view->busy());
 }
 
-Status Workbench::wait_idle(double limit_s) {
+Status Workbench::wait_idle(double limit_s, const Progress* progress) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(limit_s);
   for (poll(); busy(); poll()) {
+    if (progress != nullptr && progress->cancelled()) return fail(ErrorCode::kCancelled, "stopped by the user");
     if (std::chrono::steady_clock::now() > deadline) {
       return fail(ErrorCode::kCancelled, "the workbench was still busy when the waiting ended");
     }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/core/clock.h"
+#include "engine/core/progress.h"
 #include "engine/core/result.h"
 #include "engine/workbench/command.h"
 #include "engine/workbench/workbench_state.h"
@@ -29,7 +30,8 @@ class Workbench {
   /// True while something moves or is awaited, so that the window should not sleep.
   bool busy() const;
   /// For scripts and tests: polls until jobs, recording and picture are done, at most `limit_s` of wall time.
-  Status wait_idle(double limit_s);
+  /// Errors: kCancelled when that time is over, or `progress` (if any) is cancelled; the work goes on then.
+  Status wait_idle(double limit_s, const Progress* progress = nullptr);
   const WorkbenchState& state() const;
 
  private:
