@@ -33,7 +33,7 @@ std::optional<std::vector<std::string>> words_of(std::string_view line) {
   return words;
 }
 
-Result<std::string> replaced(std::string_view word, const Variables& variables) {
+Result<std::string> replaced(std::string_view word, const Variables& variables, std::set<std::string>& unused) {
   std::string result;
   for (std::size_t at = 0; at < word.size();) {
     const std::size_t begin = word.find("${", at);
@@ -45,6 +45,7 @@ Result<std::string> replaced(std::string_view word, const Variables& variables) 
     const auto found = variables.find(name);
     if (found == variables.end()) return fail(ErrorCode::kCorrupt, fmt::format("no variable is named {}", name));
     result += found->second;
+    unused.erase(name);
     at = end + 1;
   }
   return result;
@@ -63,7 +64,9 @@ std::string title_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Result<std::vector<ScriptStep>> parse_script(std::string_view text, Variables variables) {
+Result<std::vector<ScriptStep>> parse_script(std::string_view text, Variables variables,
+                                             const std::set<std::string>& given) {
+  std::set<std::string> unused = given;
   std::vector<ScriptStep> steps;
   int number = 0;
   std::string title;
@@ -79,18 +82,20 @@ Result<std::vector<ScriptStep>> parse_script(std::string_view text, Variables va
     if (words->empty()) continue;
     ScriptStep step{number, title.empty() ? title_of(*words) : std::exchange(title, {}), {}};
     for (const std::string& word : *words) {
-      Result<std::string> value = replaced(word, variables);
+      Result<std::string> value = replaced(word, variables, unused);
       if (!value) return tl::unexpected(std::move(value).error().in(where));
       step.arguments.push_back(std::move(*value));
     }
     if (step.arguments.front() == "default" && step.arguments.size() == 3) {
       variables.emplace(step.arguments[1], step.arguments[2]);
+      unused.erase(step.arguments[1]);
       continue;
     }
     if (step.arguments.front() == "trocar") step.arguments.erase(step.arguments.begin());
     if (!step.arguments.empty()) steps.push_back(std::move(step));
   }
-  return steps;
+  if (unused.empty()) return steps;
+  return fail(ErrorCode::kInvalidArgument, fmt::format("the script has no variable named {}", *unused.begin()));
 }
 
 }  // namespace trocar::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,9 @@ struct ScriptStep {
 
 /// Splits `text` into steps. A line `default NAME VALUE` gives a variable a value unless `variables` has one; a word in
 /// "double quotes" may hold spaces; a leading `trocar` is skipped.
-/// Errors: kCorrupt naming the line: an open quote, an unknown variable.
-Result<std::vector<ScriptStep>> parse_script(std::string_view text, Variables variables);
+/// Errors: kCorrupt naming the line: an open quote, an unknown variable. kInvalidArgument naming one of `given` that
+/// the script neither uses nor gives a default.
+Result<std::vector<ScriptStep>> parse_script(std::string_view text, Variables variables,
+                                             const std::set<std::string>& given = {});
 
 }  // namespace trocar::app

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/commands/demo_commands.h"
 #include "engine/demonstration/quality.h"
 
@@ -50,6 +53,12 @@ Result<Answer> commit(const Target& target, Console& console, const EditMaker& e
   return answer;
 }
 
+/// The history says where the edit was made, so that times beyond the ends are the ends. What is no number stays one
+/// that the edit refuses.
+double within(const demonstration::Demonstration& document, double t_s) {
+  return std::isfinite(t_s) ? std::clamp(t_s, 0.0, document.full_duration_s()) : t_s;
+}
+
 struct TrimArguments {
   std::shared_ptr<const Target> target;
   std::optional<double> from_s;
@@ -64,8 +73,8 @@ Result<Answer> run_trim(const TrimArguments& arguments, Console& console) {
   return commit(*arguments.target, console,
                 [&](const demonstration::Demonstration& document) -> Result<std::optional<demonstration::Edit>> {
                   if (arguments.idle) return demonstration::idle_ends(document);
-                  return demonstration::Trim{arguments.from_s.value_or(document.begin_s),
-                                             arguments.to_s.value_or(document.end_s)};
+                  return demonstration::Trim{within(document, arguments.from_s.value_or(document.begin_s)),
+                                             within(document, arguments.to_s.value_or(document.end_s))};
                 });
 }
 
@@ -90,9 +99,10 @@ struct LabelArguments {
 
 Result<Answer> run_label(const LabelArguments& arguments, Console& console) {
   return commit(*arguments.target, console,
-                [&](const demonstration::Demonstration&) -> Result<std::optional<demonstration::Edit>> {
+                [&](const demonstration::Demonstration& document) -> Result<std::optional<demonstration::Edit>> {
                   TROCAR_ASSIGN_OR_RETURN(const demonstration::Segment segment, segment_from(arguments.segment));
-                  return demonstration::LabelSegment{segment, arguments.from_s, arguments.to_s};
+                  return demonstration::LabelSegment{segment, within(document, arguments.from_s),
+                                                     within(document, arguments.to_s)};
                 });
 }
 

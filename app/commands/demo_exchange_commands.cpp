@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands/demo_commands.h"
+#include "engine/demonstration/problems.h"
 #include "engine/exchange/exchange.h"
 
 namespace trocar::app {
@@ -14,6 +15,16 @@ std::string lossy_text(const std::vector<std::string>& lossy) {
   std::string text;
   for (const std::string& part : lossy) text += (text.empty() ? "; without " : ", ") + part;
   return text;
+}
+
+/// Warnings and errors.
+std::pair<std::size_t, std::size_t> count_problems(const demonstration::Demonstration& document) {
+  std::pair<std::size_t, std::size_t> counts{0, 0};
+  for (const demonstration::Problem& problem : demonstration::problems(document, spatial::Grid{})) {
+    if (problem.severity == demonstration::Severity::kWarning) ++counts.first;
+    if (problem.severity == demonstration::Severity::kError) ++counts.second;
+  }
+  return counts;
 }
 
 struct ImportArguments {
@@ -40,6 +51,7 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
       arguments.name.empty() ? std::filesystem::path(arguments.file).stem().string() : arguments.name;
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.add_recording(imported.recording, name));
   const auto& document = *file.project()->demonstrations.at(demonstration::DemonstrationId{id});
+  const auto [warnings, errors] = count_problems(document);
   Answer answer;
   answer.json = demonstration_json(document);
   answer.json["imported"] = 1;
@@ -47,6 +59,12 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   answer.json["lossy"] = imported.lossy;
   answer.summary =
       fmt::format("{:.2f} s, {} samples{}", document.duration_s(), document.gated().size(), lossy_text(imported.lossy));
+  answer.json["warnings"] = warnings;
+  answer.json["errors"] = errors;
+  if (warnings + errors > 0) {
+    answer.summary +=
+        fmt::format("; {} and {}, see `trocar demo check`", counted(errors, "error"), counted(warnings, "warning"));
+  }
   answer.text = fmt::format("Demonstration {} ({}): {}", id, name, answer.summary);
   return answer;
 }

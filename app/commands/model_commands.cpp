@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "app/lookup.h"
 #include "app/options.h"
 #include "engine/learning/rollout.h"
@@ -38,6 +40,20 @@ std::string method_text(const learning::Model& model) {
   return std::string(learning::to_string(model.options.method));
 }
 
+bool is_sampled(const learning::Model& model) {
+  return model.options.method != learning::Method::kExact;
+}
+
+/// How the training went, from the JSON: what was explored, or how the solver ended.
+std::string learned_text(const Json& json) {
+  if (json["fully_explored"].is_null()) {
+    return fmt::format("{} iterations, mismatch {:.2g}", json["iterations"].get<std::size_t>(),
+                       json["mismatch"].is_null() ? 0.0 : json["mismatch"].get<double>());
+  }
+  return fmt::format("{} explored fully, {} not at all", json["fully_explored"].get<int>(),
+                     json["fully_unexplored"].get<int>());
+}
+
 struct Success {
   learning::Basin basin;
   bool arrival_from_start = false;
@@ -58,19 +74,23 @@ Success success_of(const learning::Model& model) {
 Json summary_json(const workbench::Project& project, const workbench::ModelEntry& entry) {
   const learning::Model& model = *entry.model;
   const learning::Exploration exploration = learning::exploration(model);
+  // `exact` draws nothing and explores nothing.
+  const auto if_sampled = [&](const auto& value) { return is_sampled(model) ? Json(value) : Json(); };
   Json json = {{"id", entry.id.value},
                {"name", entry.name},
                {"method", method_text(model)},
                {"segment", std::string(1, demonstration::letter(entry.segment))},
-               {"epsilon", model.options.epsilon},
-               {"episodes", model.options.episodes},
-               {"seed", model.options.seed},
+               {"epsilon", if_sampled(model.options.epsilon)},
+               {"episodes", if_sampled(model.options.episodes)},
+               {"seed", if_sampled(model.options.seed)},
                {"grid", model.grid.n},
                {"states", model.grid.cell_count()},
                {"seconds", model.seconds},
-               {"fully_explored", exploration.fully_explored},
-               {"partly_explored", exploration.partly_explored},
-               {"fully_unexplored", exploration.fully_unexplored},
+               {"fully_explored", if_sampled(exploration.fully_explored)},
+               {"partly_explored", if_sampled(exploration.partly_explored)},
+               {"fully_unexplored", if_sampled(exploration.fully_unexplored)},
+               {"iterations", is_sampled(model) ? Json() : Json(model.curve.size())},
+               {"mismatch", model.curve.empty() ? Json() : Json(model.curve.back())},
                {"stale", project.stale(entry)},
                {"hash", hash_text(model.hash())},
                {"created", entry.created},
@@ -93,15 +113,13 @@ Json full_json(const workbench::Project& project, const workbench::ModelEntry& e
   json["safe_cells"] = model.safe.count();
   json["arrival_from_start"] = success.arrival_from_start;
   json["arrived_from_all"] = success.all.arrived;
-  json["mismatch"] = model.curve.empty() ? Json() : Json(model.curve.back());
   return json;
 }
 
 std::string line_of(const Json& json) {
-  return fmt::format(
-      "{}: {} explored fully, {} not at all, {} from the start, {:.3f} s", json["name"].get<std::string>(),
-      json["fully_explored"].get<int>(), json["fully_unexplored"].get<int>(),
-      json["arrival_from_start"].get<bool>() ? "arrives" : "does not arrive", json["seconds"].get<double>());
+  return fmt::format("{}: {}, {} from the start, {:.3f} s", json["name"].get<std::string>(), learned_text(json),
+                     json["arrival_from_start"].get<bool>() ? "arrives" : "does not arrive",
+                     json["seconds"].get<double>());
 }
 
 Result<Answer> run_train(const TrainArguments& arguments, Console& console) {
@@ -140,11 +158,10 @@ Result<Answer> run_list(const ListArguments& arguments, Console& console) {
   answer.summary = counted(file.project()->models.size(), "model");
   for (const auto& [id, entry] : file.project()->models) {
     const Json json = summary_json(*file.project(), *entry);
-    answer.text += fmt::format("{}{:>4}  {:<24} {:<11} {}  ε {:<5} {:>6} explored, {:>6} unexplored{}",
-                               answer.text.empty() ? "" : "\n", id.value, entry->name, method_text(*entry->model),
-                               demonstration::letter(entry->segment), entry->model->options.epsilon,
-                               json["fully_explored"].get<int>(), json["fully_unexplored"].get<int>(),
-                               json["stale"].get<bool>() ? "  stale" : "");
+    const std::string epsilon = is_sampled(*entry->model) ? fmt::format("ε {:<5}", entry->model->options.epsilon) : "";
+    answer.text += fmt::format("{}{:>4}  {:<24} {:<11} {}  {:<7}  {}{}", answer.text.empty() ? "" : "\n", id.value,
+                               entry->name, method_text(*entry->model), demonstration::letter(entry->segment), epsilon,
+                               learned_text(json), json["stale"].get<bool>() ? "  stale" : "");
     answer.json["models"].push_back(json);
   }
   return answer;
@@ -174,8 +191,14 @@ struct CompareArguments {
   std::string model_b;
 };
 
-/// Both values, and B's change against A in per cent; null where A is 0.
-Json change(int a, int b) {
+/// Both values, and B's change against A in per cent; null where A is 0, or where a model has no such value.
+Json change(std::optional<int> a_or_none, std::optional<int> b_or_none) {
+  if (!a_or_none || !b_or_none) {
+    const auto json = [](std::optional<int> value) { return value ? Json(*value) : Json(); };
+    return {{"a", json(a_or_none)}, {"b", json(b_or_none)}, {"change_percent", Json()}};
+  }
+  const int a = *a_or_none;
+  const int b = *b_or_none;
   return {{"a", a}, {"b", b}, {"change_percent", a == 0 ? Json() : Json(100.0 * (b - a) / a)}};
 }
 
@@ -202,8 +225,12 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
   const learning::Model& a = *entry_a->model;
   const learning::Model& b = *entry_b->model;
   if (a.grid != b.grid) return fail(ErrorCode::kInvalidArgument, "the models have different lattices");
-  const learning::Exploration explored_a = learning::exploration(a);
-  const learning::Exploration explored_b = learning::exploration(b);
+  const auto explored = [&](int learning::Exploration::*member) {
+    const auto of = [member](const learning::Model& model) {
+      return is_sampled(model) ? std::optional(learning::exploration(model).*member) : std::nullopt;
+    };
+    return change(of(a), of(b));
+  };
   const std::vector<std::uint8_t> policy_a = learning::greedy_policy(a);
   const std::vector<std::uint8_t> policy_b = learning::greedy_policy(b);
   int changed = 0;
@@ -215,9 +242,9 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
   Answer answer;
   answer.json = {{"model_a", entry_a->id.value},
                  {"model_b", entry_b->id.value},
-                 {"fully_explored", change(explored_a.fully_explored, explored_b.fully_explored)},
-                 {"partly_explored", change(explored_a.partly_explored, explored_b.partly_explored)},
-                 {"fully_unexplored", change(explored_a.fully_unexplored, explored_b.fully_unexplored)},
+                 {"fully_explored", explored(&learning::Exploration::fully_explored)},
+                 {"partly_explored", explored(&learning::Exploration::partly_explored)},
+                 {"fully_unexplored", explored(&learning::Exploration::fully_unexplored)},
                  {"policy_changed", changed},
                  {"policy_changed_percent", changed_percent},
                  {"success", change(success_a.all.arrived, success_b.all.arrived)},

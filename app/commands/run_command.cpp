@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "app/options.h"
 #include "app/script.h"
@@ -34,6 +35,12 @@ Result<Variables> variables_of(const RunArguments& arguments) {
     variables[setting.substr(0, equals)] = setting.substr(equals + 1);
   }
   return variables;
+}
+
+std::set<std::string> names_of(const std::vector<std::string>& settings) {
+  std::set<std::string> names;
+  for (const std::string& setting : settings) names.insert(setting.substr(0, setting.find('=')));
+  return names;
 }
 
 Status make_folder(const std::string& path) {
@@ -84,10 +91,30 @@ Result<Answer> run_step(const ScriptStep& step, Console& console) {
   return action(console);
 }
 
+/// Counts the scripts that run each other.
+class Nesting {
+ public:
+  explicit Nesting(Console& console) : depth_(console.script_depth) { ++depth_; }
+  ~Nesting() { --depth_; }
+  Nesting(const Nesting&) = delete;
+  Nesting& operator=(const Nesting&) = delete;
+  bool too_deep() const { return depth_ > kDeepest; }
+
+ private:
+  static constexpr int kDeepest = 8;
+  int& depth_;
+};
+
 Result<Answer> run_script(const RunArguments& arguments, Console& console) {
+  const Nesting nesting(console);
+  if (nesting.too_deep()) {
+    return tl::unexpected(
+        Error(ErrorCode::kInvalidArgument, "the script runs itself, or scripts are too deep in each other")
+            .at(arguments.script));
+  }
   TROCAR_ASSIGN_OR_RETURN(const Variables variables, variables_of(arguments));
   TROCAR_ASSIGN_OR_RETURN(const std::string text, read_file(arguments.script));
-  Result<std::vector<ScriptStep>> steps = parse_script(text, variables);
+  Result<std::vector<ScriptStep>> steps = parse_script(text, variables, names_of(arguments.settings));
   if (!steps) return tl::unexpected(std::move(steps).error().at(arguments.script));
   TROCAR_RETURN_IF_ERROR(make_folder(arguments.out));
 

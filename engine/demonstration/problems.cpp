@@ -11,6 +11,7 @@
 #include "engine/demonstration/motion.h"
 #include "engine/demonstration/problem_spans.h"
 #include "engine/demonstration/quality.h"
+#include "engine/demonstration/setpoint_problems.h"
 
 namespace trocar::demonstration {
 namespace {
@@ -192,6 +193,8 @@ std::string_view to_string(ProblemKind kind) {
       return "quaternion";
     case ProblemKind::kLattice:
       return "lattice";
+    case ProblemKind::kWorkspace:
+      return "workspace";
     case ProblemKind::kSpeed:
       return "speed";
     case ProblemKind::kAcceleration:
@@ -230,6 +233,7 @@ Problems problems(const Demonstration& document, const spatial::Grid& grid, cons
     check_lattice(document, grid, found);
     check_motion(document, bounds, found);
     check_idle(document, found);
+    add_setpoint_problems(document, bounds, found);
     add_jaw_problems(document, found);
   }
   std::stable_sort(found.begin(), found.end(),

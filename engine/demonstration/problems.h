@@ -15,12 +15,13 @@ enum class ProblemKind {
   kTime,          ///< "time": a gap, or time that stands still
   kQuaternion,    ///< "quaternion": not of unit length
   kLattice,       ///< "lattice": segment A or C outside of the learning cube
+  kWorkspace,     ///< "workspace": a tool, or where it is told to be, outside of where the arms work
   kSpeed,         ///< "speed"
   kAcceleration,  ///< "acceleration"
   kJerk,          ///< "jerk"
   kSegments,      ///< "segments": one is missing, out of order, or a stretch has no label
   kIdle,          ///< "idle": an end in which nothing moves
-  kJaw,           ///< "jaw": closed on nothing, or handed over without both arms holding
+  kJaw,           ///< "jaw": closed on nothing, handed over without both arms holding, or beyond its limits
 };
 std::string_view to_string(ProblemKind kind);
 

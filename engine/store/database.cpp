@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <cstring>
+
 namespace trocar::store {
 namespace {
 
 constexpr int kBusyTimeout_ms = 500;
 
-Error describe(int code, const char* detail) {
+/// `system` is the reason that the system gave, 0 if none.
+Error describe(int code, const char* detail, int system) {
+  const std::string why = system == 0 ? "" : fmt::format(" ({})", std::strerror(system));
   switch (code & 0xFF) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
@@ -24,9 +28,9 @@ Error describe(int code, const char* detail) {
     case SQLITE_READONLY:
       return {ErrorCode::kIo, "the project cannot be written, its file or folder is read-only"};
     case SQLITE_CANTOPEN:
-      return {ErrorCode::kIo, "the project cannot be opened, its file or folder is not accessible"};
+      return {ErrorCode::kIo, "the project cannot be opened, its file or folder is not accessible" + why};
     case SQLITE_IOERR:
-      return {ErrorCode::kIo, "the project's disk cannot be read or written, or is full"};
+      return {ErrorCode::kIo, "the project's disk cannot be read or written, or is full" + why};
     default:
       return {ErrorCode::kIo, fmt::format("the project file fails ({})", detail)};
   }
@@ -111,7 +115,8 @@ Result<Database> Database::open(const std::filesystem::path& path, Access access
 
 tl::unexpected<Error> Database::failure(int code) const {
   const char* detail = connection_ ? sqlite3_errmsg(connection_.get()) : sqlite3_errstr(code);
-  return tl::unexpected(describe(code, detail).at(path_.string()));
+  const int system = connection_ ? sqlite3_system_errno(connection_.get()) : 0;
+  return tl::unexpected(describe(code, detail, system).at(path_.string()));
 }
 
 Status Database::execute(const char* sql) {

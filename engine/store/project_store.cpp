@@ -36,6 +36,14 @@ void remove_with_log(const fs::path& path) {
   for (const char* suffix : kSuffixes) fs::remove(fs::path(path) += suffix, ignored);
 }
 
+/// The error's sentence without the name of a file that the user has never heard of.
+std::string reason_of(const Status& failed, const fs::path& temporary) {
+  std::string text = failed.error().text();
+  const std::string ending = ": " + temporary.string();
+  if (text.ends_with(ending)) text.resize(text.size() - ending.size());
+  return text;
+}
+
 bool may_write(const fs::path& path) {
   return ::access(path.c_str(), W_OK) == 0;
 }
@@ -115,13 +123,11 @@ Result<ProjectStore> ProjectStore::create(const fs::path& path) {
   Status made = write_empty(temporary);
   if (made) {
     fs::rename(temporary, path, error);
-    if (error) made = refuse(ErrorCode::kIo, "the project could not be put in place (" + error.message() + ")", path);
+    if (error) made = fail(ErrorCode::kIo, error.message());
   }
   if (!made) {
     remove_with_log(temporary);
-    return refuse(made.error().code(),
-                  fmt::format("the project cannot be created, is the folder writable and the "
-                              "disk not full?"),
+    return refuse(made.error().code(), fmt::format("the project cannot be created ({})", reason_of(made, temporary)),
                   path);
   }
   return open(path);

@@ -303,6 +303,29 @@ class Interrupts(CommandLineTest):
         self.assertEqual((done.stdout.count("\n"), done.stderr), (1, ""))
         self.answer("redo", project)
 
+    def test_the_window_without_a_display(self):
+        """One signal ends it, also while a script waits for a film; the film's temporary file goes with it."""
+        project = self.recorded_project()
+        script = self.folder / "film.ui"
+        film = self.folder / "long.mp4"
+        script.write_text('click "Library/Demonstrations/Expert"\nkey Ctrl+E\nwait idle 300\n')
+        begun = time.monotonic()
+        code, error = self.interrupt("ui", "run", "--project", project, "--script", script,
+                                     wait_for=lambda: time.monotonic() > begun + 1.5)
+        self.assertEqual(code, WORLD, error)
+        self.assertIn("stopped by the user", error)
+        self.assertEqual(self.leftovers(), ["film.ui", "recorded.trocar"])
+        self.assertFalse(film.exists())
+
+    def test_a_picture(self):
+        project = self.recorded_project()
+        out = self.folder / "view.png"
+        begun = time.monotonic()
+        code, error = self.interrupt("view", "render", project, "1", "--size", "4096x4096", "--out", out,
+                                     wait_for=lambda: time.monotonic() > begun + 0.3)
+        self.assertEqual(code, WORLD, error)
+        self.assertEqual(self.leftovers(), ["recorded.trocar"])
+
     def test_killed_without_warning(self):
         project = self.recorded_project()
         self.answer("undo", project)

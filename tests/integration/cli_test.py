@@ -33,6 +33,30 @@ class Grammar(CommandLineTest):
         self.refused("demo", "record", project, "--skill", "wizard", code=USAGE)
         self.refused("demo", "record", project, "--seed", "many", code=USAGE)
 
+    def test_seeds_are_taken_as_they_are_or_not_at_all(self):
+        project = self.recorded_project()
+        for seed in ("-1", "18446744073709551616", "1.5", "0x10", "010", "1e3", ""):
+            self.refused("demo", "record", project, "--seed", seed, code=USAGE)
+            self.refused("model", "train", project, "1", "--seed", seed, code=USAGE)
+        answer = self.answer("model", "train", project, "1", "--method", "eg-maxent", "--episodes", "5", "--seed",
+                             "18446744073709551615")
+        self.assertEqual(answer["seed"], 18446744073709551615)
+
+    def test_only_the_agents_segments_are_learned(self):
+        project = self.recorded_project()
+        for segment in ("B", "D", "E"):
+            self.refused("model", "train", project, "1", "--segment", segment, code=USAGE)
+
+    def test_names_that_do_not_fit_are_refused(self):
+        project = self.recorded_project()
+        self.refused("new", self.folder / "x.txt", code=USAGE, saying=".trocar")
+        self.refused("view", "render", project, "1", "--out", self.folder / "v.jpg", code=USAGE, saying=".png")
+        self.assertEqual(self.leftovers(), ["recorded.trocar"])
+
+    def test_a_project_that_cannot_be_made_says_why(self):
+        error = self.refused("new", "/proc/self/x.trocar", code=WORLD)
+        self.assertRegex(error, r"^trocar: the project cannot be created \([^()?]+\): /proc/self/x\.trocar$")
+
     def test_version(self):
         self.assertRegex(trocar("--version").stdout, r"^trocar \d+\.\d+\.\d+")
 
@@ -133,6 +157,35 @@ class Demonstrations(CommandLineTest):
         self.answer("demo", "edit", project, "Best of all", "label", "B", "--from", "0.2", "--to", "0.4")
         labels = [s["label"] for s in self.answer("demo", "show", project, "1")["segments"]]
         self.assertEqual(labels[:3], ["A", "B", "A"])
+
+    def test_times_beyond_the_ends_are_the_ends(self):
+        project = self.recorded_project()
+        end_s = self.answer("demo", "show", project, "1")["end_s"]
+        edit = self.answer("demo", "edit", project, "1", "trim", "--from", "-5", "--to", "1e9")
+        self.assertIn(f"to 0.00–{end_s:.2f} s", edit["description"])
+        edit = self.answer("demo", "edit", project, "1", "label", "B", "--from", "-5", "--to", "0.5")
+        self.assertIn("Label 0.00–0.50 s", edit["description"])
+        self.refused("demo", "edit", project, "1", "trim", "--from", "nan", code=USAGE)
+
+    def test_an_import_says_what_is_wrong_with_it(self):
+        project = self.recorded_project()
+        good = self.folder / "good.csv"
+        self.answer("demo", "export", project, "1", good)
+        answer = self.answer("demo", "import", project, good)
+        self.assertEqual(answer["errors"], 0)
+        lines = good.read_text().splitlines()
+        header = next(i for i, line in enumerate(lines) if not line.startswith("#"))
+        columns = lines[header].split(",")
+        for column, value in (("left_setpoint_x_m", "1e30"), ("left_setpoint_jaw_rad", "1e9")):
+            with self.subTest(column):
+                rows = [line.split(",") for line in lines]
+                rows[header + 50][columns.index(column)] = value
+                bad = self.folder / "bad.csv"
+                bad.write_text("\n".join(",".join(row) for row in rows) + "\n")
+                answer = self.answer("demo", "import", project, bad)
+                self.assertGreater(answer["errors"], 0)
+                self.assertIn("error", trocar("demo", "import", project, bad).stdout)
+                self.answer("demo", "check", project, str(answer["id"]), code=CHECK_FAILED)
 
     def test_trimming_idle_ends_keeps_the_motion(self):
         project = self.recorded_project()
@@ -247,6 +300,24 @@ class Learning(CommandLineTest):
         self.refused("model", "train", project, "7", code=USAGE, saying="7")
         self.assertEqual(self.answer("info", project)["models"], 1)
 
+    def test_exact_claims_no_exploration(self):
+        project = self.recorded_project()
+        for answer in (CommandLineTest.trained, self.answer("model", "show", project, "2"),
+                       self.answer("model", "list", project)["models"][0]):
+            for key in ("epsilon", "episodes", "seed", "fully_explored", "partly_explored", "fully_unexplored"):
+                self.assertIsNone(answer[key])
+            self.assertGreater(answer["iterations"], 0)
+            self.assertLess(answer["mismatch"], 0.1)
+        self.assertNotIn("explored", trocar("model", "list", project).stdout)
+        compared = self.answer("model", "compare", project, "2", "2")
+        self.assertIsNone(compared["fully_explored"]["a"])
+
+    def test_from_above_is_said_of_segment_a_only(self):
+        project = self.recorded_project()
+        self.answer("model", "train", project, "1", "--segment", "C", "--name", "C exact")
+        self.assertIn("from above", trocar("rollout", "run", project, "A exact").stdout)
+        self.assertNotIn("from above", trocar("rollout", "run", project, "C exact").stdout)
+
     def test_fields_as_numbers_agree(self):
         project = self.recorded_project()
         self.answer("field", "export", project, "A exact", "--layer", "reward", "--out", self.folder / "r.csv")
@@ -323,6 +394,10 @@ class Pictures(CommandLineTest):
         script.write_text('click "Library/Nobody"\n')
         self.assertIn("1", self.refused("ui", "run", "--project", project, "--script", script, code=USAGE))
         self.refused("ui", "run", "--script", self.folder / "none.ui", code=WORLD)
+        self.refused("ui", "run", "--project", self.folder / "none.trocar", code=WORLD, saying="no such project")
+        cut = self.folder / "cut.trocar"
+        cut.write_bytes(project.read_bytes()[:20000])
+        self.refused("ui", "run", "--project", cut, code=WORLD, saying="truncated")
 
     def test_doctor_says_what_there_is(self):
         done = trocar("doctor", "--json")
@@ -347,6 +422,18 @@ class Scripts(CommandLineTest):
         self.assertEqual(done.returncode, WORLD)
         self.assertIn("line 2", done.stderr)
         self.assertFalse((self.folder / "o" / "b.trocar").exists())
+
+    def test_a_variable_that_the_script_does_not_have_is_refused(self):
+        script = self.folder / "run.trocar"
+        script.write_text("default size 3\nnew ${out}/a.trocar\n")
+        self.refused("run", script, "--out", self.folder / "o", "--set", "siez=4", code=USAGE, saying="siez")
+        self.answer("run", script, "--out", self.folder / "o", "--set", "size=4")
+
+    def test_a_script_that_runs_itself_is_stopped(self):
+        script = self.folder / "run.trocar"
+        script.write_text("run ${here}/run.trocar --out ${out}\n")
+        self.assertIn("itself", trocar("run", script, "--out", self.folder / "o").stderr)
+        self.assertEqual(trocar("run", script, "--out", self.folder / "o").returncode, USAGE)
 
     def test_broken_scripts_are_refused(self):
         script = self.folder / "run.trocar"

@@ -81,6 +81,35 @@ TEST_CASE("a rotation that is not of unit length is an error") {
   CHECK(found[0].severity == Severity::kError);
 }
 
+TEST_CASE("setpoints that no arm can follow are errors: far outside, beyond the jaws' limits, a leap") {
+  const auto with = [](const std::function<void(ArmSample&)>& change) {
+    return changed(1000, [&](std::vector<Sample>& samples) {
+      for (std::size_t i = 500; i < 520; ++i) change(samples[i].arms[0]);
+    });
+  };
+  const auto far = of_kind(with([](ArmSample& arm) { arm.setpoint_p[0] = 1e30; }), ProblemKind::kWorkspace);
+  REQUIRE(far.size() == 1);
+  CHECK(far[0].severity == Severity::kError);
+  CHECK(far[0].begin_s == doctest::Approx(2.5));
+  CHECK(far[0].end_s == doctest::Approx(2.595));
+  const auto near = of_kind(with([](ArmSample& arm) { arm.setpoint_p[0] = 0.08; }), ProblemKind::kWorkspace);
+  REQUIRE(near.size() == 1);
+  CHECK(near[0].severity == Severity::kWarning);
+  const auto measured = of_kind(with([](ArmSample& arm) { arm.measured.p[1] = 1.0F; }), ProblemKind::kWorkspace);
+  REQUIRE(measured.size() == 1);
+  CHECK(measured[0].severity == Severity::kError);
+  const auto jaw = of_kind(with([](ArmSample& arm) { arm.setpoint_jaw_rad = 1e9; }), ProblemKind::kJaw);
+  REQUIRE(jaw.size() == 2);  // Where it is, and how fast it got there and back.
+  CHECK(std::count_if(jaw.begin(), jaw.end(), [](const Problem& p) { return p.severity == Severity::kError; }) == 1);
+  const auto leap = of_kind(with([](ArmSample& arm) { arm.setpoint_p[2] += 0.006; }), ProblemKind::kSpeed);
+  REQUIRE(leap.size() == 1);
+  CHECK(leap[0].severity == Severity::kError);
+  CHECK(leap[0].message.starts_with("the left tool's setpoint leaps by 6"));
+  const auto fast = of_kind(with([](ArmSample& arm) { arm.setpoint_p[2] += 0.002; }), ProblemKind::kSpeed);
+  REQUIRE(fast.size() == 1);
+  CHECK(fast[0].severity == Severity::kWarning);
+}
+
 TEST_CASE("a leap of 100 mm within one sample is a speed, an acceleration and a jerk") {
   const Demonstration leap = changed(1000, [](std::vector<Sample>& samples) {
     for (std::size_t i = 500; i < 1000; ++i) samples[i].arms[1].measured.p[0] += 0.1F;
