@@ -148,13 +148,14 @@ Status ProjectFile::Impl::move(const std::function<Result<std::int64_t>()>& wher
   std::int64_t node = 0;
   ProjectPointer document;
   std::vector<store::RedoRow> left;
-  TROCAR_RETURN_IF_ERROR(store.transaction([&]() -> Status {
+  const Status done = store.transaction([&]() -> Status {
     TROCAR_RETURN_IF_ERROR(catch_up());
     TROCAR_ASSIGN_OR_RETURN(node, where());
     TROCAR_ASSIGN_OR_RETURN(document, document_at(node));
     left = redo_back_from(node);
     return store.set_head(node, left);
-  }));
+  });
+  TROCAR_RETURN_IF_ERROR(done);
   for (const store::RedoRow& row : left) tree.set_redo(row.parent, row.child);
   head = node;
   project = document;
@@ -166,7 +167,7 @@ Status ProjectFile::Impl::move(const std::function<Result<std::int64_t>()>& wher
 Result<std::int64_t> ProjectFile::Impl::commit(const std::function<Result<Edit>()>& prepare) {
   store::JournalRow row;
   ProjectPointer edited;
-  TROCAR_RETURN_IF_ERROR(store.transaction([&]() -> Status {
+  const Status done = store.transaction([&]() -> Status {
     TROCAR_RETURN_IF_ERROR(catch_up());
     TROCAR_ASSIGN_OR_RETURN(const Edit edit, prepare());
     const std::int64_t id = tree.newest() + 1;
@@ -175,7 +176,8 @@ Result<std::int64_t> ProjectFile::Impl::commit(const std::function<Result<Edit>(
     TROCAR_ASSIGN_OR_RETURN(row.id, store.append(row));
     if (row.id == id) return {};
     return fail(ErrorCode::kCorrupt, "the numbers of the project's history have a gap");
-  }));
+  });
+  TROCAR_RETURN_IF_ERROR(done);
   const std::int64_t id = row.id;
   TROCAR_RETURN_IF_ERROR(take_rows({std::move(row)}));
   keep(id, edited);

@@ -1,10 +1,14 @@
 /// A program that records and edits is killed at any moment; what it had been told was safe must be there.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
+#include <functional>
 #include <map>
 
 #include "engine/core/random.h"
@@ -66,8 +70,22 @@ void edit_some(ProjectFile& file, int pipe, Random& random) {
   }
 }
 
-/// Starts the child, kills it after `until` reports, and returns all that it said before it died.
-std::vector<Report> run_and_kill(const std::filesystem::path& path, std::uint64_t seed, std::uint32_t until) {
+/// When the child is killed: after so many reports, that is between two calls, or after a time, that is anywhere.
+struct Moment {
+  std::uint32_t reports = 0;        ///< 0: by time.
+  std::chrono::microseconds delay;  ///< Since the first report.
+};
+
+/// True if there is something to read before `end`.
+bool readable_until(int pipe, std::chrono::steady_clock::time_point end) {
+  pollfd waiting{pipe, POLLIN, 0};
+  const auto left = std::chrono::duration_cast<std::chrono::microseconds>(end - std::chrono::steady_clock::now());
+  const timespec limit{0, static_cast<long>(1000 * std::clamp<std::int64_t>(left.count(), 0, 999'999))};
+  return ::ppoll(&waiting, 1, &limit, nullptr) > 0;
+}
+
+/// Starts the child, kills it at `moment`, and returns all that it said before it died.
+std::vector<Report> run_and_kill(const std::filesystem::path& path, std::uint64_t seed, const Moment& moment) {
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
   const pid_t child = ::fork();
@@ -79,9 +97,13 @@ std::vector<Report> run_and_kill(const std::filesystem::path& path, std::uint64_
   ::close(ends[1]);
   std::vector<Report> reports;
   Report report;
+  auto end = std::chrono::steady_clock::time_point::max();
   while (::read(ends[0], &report, sizeof report) == static_cast<ssize_t>(sizeof report)) {
     reports.push_back(report);
-    if (reports.size() == until) ::kill(child, SIGKILL);
+    if (moment.reports == 0 && reports.size() == 1) end = std::chrono::steady_clock::now() + moment.delay;
+    const bool over = moment.reports == 0 ? std::chrono::steady_clock::now() >= end || !readable_until(ends[0], end)
+                                          : reports.size() == moment.reports;
+    if (over) ::kill(child, SIGKILL);
   }
   ::close(ends[0]);
   int status = 0;
@@ -116,20 +138,31 @@ void check_nothing_is_lost(ProjectFile& file, const std::vector<Report>& reports
   }
 }
 
-}  // namespace
-
-TEST_CASE("killed at any of 50 moments, a project keeps every committed edit and all but a second of recording") {
+/// Kills 50 times, five times in each project; returns how much was said.
+std::size_t kill_fifty_times(const std::function<Moment()>& next_moment) {
   const ScratchFolder folder;
   Random random(20260301);
   std::size_t said = 0;
   for (int round = 0; round < 50; ++round) {
     const std::filesystem::path path = folder / fmt::format("p{}.trocar", round / 5);
     if (round % 5 == 0) testing::created(path);
-    const std::vector<Report> reports = run_and_kill(path, random.next(), 1 + random.below(900));
+    const std::vector<Report> reports = run_and_kill(path, random.next(), next_moment());
     said += reports.size();
     Diagnostics diagnostics;
     ProjectFile file = opened(path, diagnostics);
     check_nothing_is_lost(file, reports);
   }
-  CHECK(said > 5000);
+  return said;
+}
+
+}  // namespace
+
+TEST_CASE("killed between any of 50 calls, a project keeps every committed edit and all but a second of recording") {
+  Random random(7);
+  CHECK(kill_fifty_times([&] { return Moment{1 + random.below(900), {}}; }) > 5000);
+}
+
+TEST_CASE("killed at any of 50 instants, also in the middle of a write, it keeps the same") {
+  Random random(8);
+  CHECK(kill_fifty_times([&] { return Moment{0, std::chrono::microseconds(random.below(60'000))}; }) > 500);
 }

@@ -1,5 +1,5 @@
-// Whole transfers by scripted operators. The long run (a few minutes) is skipped by default:
-//   build/release/bin/test_integration_transfer --no-skip --test-case="long*"
+// Whole transfers by scripted operators. The long run (a few minutes) is a CTest of its own, label `long`:
+//   tools/test --long
 #include <doctest/doctest.h>
 
 #include <array>
@@ -81,6 +81,10 @@ TEST_CASE("an expert places any block on any goal, and each recording replays to
     CHECK(result.placed);
     CHECK_FALSE(result.diverged_at_s.has_value());
   }
+}
+
+TEST_CASE("an expert places the default block for seeds 1 to 10") {
+  CHECK(count_placed(Skill::kExpert, 1, 10, -1.0, false) == 10);
 }
 
 TEST_CASE("a scripted recording says so") {
