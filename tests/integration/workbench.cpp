@@ -101,6 +101,23 @@ TEST_CASE("a project that cannot be opened leaves the open one alone and says wh
   CHECK(bench.logged(Severity::kError));
 }
 
+TEST_CASE("a film or a field is never written over the open project") {
+  Bench bench;
+  bench.record();
+  const std::filesystem::path project = bench.folder / "p.trocar";
+  std::filesystem::create_symlink(project, bench.folder / "link.mp4");
+  const std::uint64_t hash = bench.state().project->hash();
+  for (const std::filesystem::path& path : {project, bench.folder / "link.mp4"}) {
+    bench.run(ExportVideo{{bench.state().demonstration}, path});
+    bench.run(ExportField{{}, learning::Layer::kReward, "", path});
+  }
+  CHECK(bench.state().jobs.empty());
+  CHECK(bench.logged(Severity::kError));
+  bench.run(OpenProject{project, false});
+  REQUIRE(bench.state().load == LoadState::kReady);
+  CHECK(bench.state().project->hash() == hash);
+}
+
 TEST_CASE("unknown ids and commands without a project are answered in the log") {
   Workbench empty({nullptr, false});
   empty.post(Undo{});
