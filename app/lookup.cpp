@@ -38,16 +38,16 @@ Result<typename Map::mapped_type> find(const Map& map, const std::string& text, 
 }  // namespace
 
 Result<workbench::ProjectFile> open_project(const std::filesystem::path& path, Console& console,
-                                            workbench::ProjectFile::Purpose purpose) {
-  return workbench::ProjectFile::open(path, console.clock, console.diagnostics, purpose);
+                                            workbench::ProjectFile::Purpose purpose, Models models) {
+  return workbench::ProjectFile::open(path, console.clock, console.diagnostics, purpose, models);
 }
 
-Result<workbench::ProjectFile> open_to_read(const std::filesystem::path& path, Console& console) {
-  return open_project(path, console, workbench::ProjectFile::Purpose::kRead);
+Result<workbench::ProjectFile> open_to_read(const std::filesystem::path& path, Console& console, Models models) {
+  return open_project(path, console, workbench::ProjectFile::Purpose::kRead, models);
 }
 
-Result<workbench::ProjectFile> open_to_edit(const std::filesystem::path& path, Console& console) {
-  return open_project(path, console, workbench::ProjectFile::Purpose::kEdit);
+Result<workbench::ProjectFile> open_to_edit(const std::filesystem::path& path, Console& console, Models models) {
+  return open_project(path, console, workbench::ProjectFile::Purpose::kEdit, models);
 }
 
 Status check_output(const std::filesystem::path& out, const std::filesystem::path& project,

@@ -18,11 +18,14 @@
 
 namespace trocar::app {
 
-/// Opens the project; what is odd about it goes to the console's warnings. A command that only reads says so.
+using Models = workbench::ProjectFile::Models;
+
+/// Opens the project; what is odd about it goes to the console's warnings. A command that only reads says so, and one
+/// that looks at no model, that describing them is enough.
 Result<workbench::ProjectFile> open_project(const std::filesystem::path& path, Console& console,
-                                            workbench::ProjectFile::Purpose purpose);
-Result<workbench::ProjectFile> open_to_read(const std::filesystem::path& path, Console& console);
-Result<workbench::ProjectFile> open_to_edit(const std::filesystem::path& path, Console& console);
+                                            workbench::ProjectFile::Purpose purpose, Models models);
+Result<workbench::ProjectFile> open_to_read(const std::filesystem::path& path, Console& console, Models models);
+Result<workbench::ProjectFile> open_to_edit(const std::filesystem::path& path, Console& console, Models models);
 
 /// To be asked before a project is opened for an output. `endings` are those that are good (".csv"); none: any.
 /// Errors: kInvalidArgument for another ending, for the project's own file, and for any name that is a project's.

@@ -18,7 +18,8 @@ void bind_check(CLI::App& verb, CheckArguments& arguments) {
 }
 
 Result<Answer> run_check(const CheckArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto document, find_demonstration(*file.project(), arguments.demonstration));
   std::array<std::size_t, 3> counts{};
   Answer answer;
@@ -57,7 +58,8 @@ void bind_diff(CLI::App& verb, DiffArguments& arguments) {
 }
 
 Result<Answer> run_diff(const DiffArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto after, find_demonstration(*file.project(), arguments.demonstration));
   std::shared_ptr<const demonstration::Demonstration> before;
   if (arguments.against == "original") {

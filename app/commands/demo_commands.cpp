@@ -30,7 +30,8 @@ std::string letters_of(const Json& segments) {
 }
 
 Result<Answer> run_list(const ListArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
   Answer answer;
   answer.json = {{"demonstrations", Json::array()}};
   answer.summary = counted(file.project()->demonstrations.size(), "demonstration");
@@ -51,7 +52,8 @@ struct ShowArguments {
 };
 
 Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
   Answer answer;
   answer.json = demonstration_json(*demonstration);

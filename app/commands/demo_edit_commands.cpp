@@ -31,7 +31,7 @@ Answer unchanged(const demonstration::Demonstration& document) {
 using EditMaker = std::function<Result<std::optional<demonstration::Edit>>(const demonstration::Demonstration&)>;
 
 Result<Answer> commit(const Target& target, Console& console, const EditMaker& edit_of) {
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(target.project, console));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(target.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), target.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const std::optional<demonstration::Edit> edit, edit_of(*before));
   if (!edit) return unchanged(*before);
@@ -111,7 +111,8 @@ struct RemoveArguments {
 };
 
 Result<Answer> run_remove(const RemoveArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.target.project, console));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
+                          open_to_edit(arguments.target.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto demonstration,
                           find_demonstration(*file.project(), arguments.target.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(workbench::RemoveDemonstration{demonstration->id}));

@@ -43,7 +43,7 @@ void bind_import(CLI::App& verb, ImportArguments& arguments) {
 
 Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const exchange::Format format, format_of(arguments.format, arguments.file));
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(exchange::Imported imported, exchange::import_demonstration(arguments.file, format));
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   imported.recording.provenance.created = iso_time(console.clock->unix_s());
@@ -86,7 +86,8 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
 Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.file, arguments.project));
   TROCAR_ASSIGN_OR_RETURN(const exchange::Format format, format_of(arguments.format, arguments.file));
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto document, find_demonstration(*file.project(), arguments.demonstration));
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_ASSIGN_OR_RETURN(const std::vector<std::string> lossy,

@@ -37,7 +37,7 @@ void bind_record(CLI::App& verb, RecordArguments& arguments) {
 Result<Answer> run_record(const RecordArguments& arguments, Console& console) {
   trial::TransferOptions options = arguments.options;
   TROCAR_ASSIGN_OR_RETURN(options.skill, trial::skill_from(arguments.skill));
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
   const std::string name =
       arguments.name.empty() ? workbench::demonstration_name(*file.project(), options.skill) : arguments.name;
   const double begin_s = console.clock->now_s();
@@ -72,7 +72,8 @@ void bind_replay(CLI::App& verb, ReplayArguments& arguments) {
 }
 
 Result<Answer> run_replay(const ReplayArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const trial::ReplayResult result,
                           trial::replay(*demonstration->recording, console.progress()));

@@ -62,7 +62,7 @@ plot::ScaleKind scale_from(const std::string& text) {
 Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png", ".svg", ".csv", ".npy"}));
   TROCAR_ASSIGN_OR_RETURN(const learning::Layer layer, learning::layer_from(arguments.layer));
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   const learning::Field field = learning::field(*entry->model, layer);
   figure::FieldFigureOptions options = figure::suggested_options(field);

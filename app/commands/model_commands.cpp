@@ -129,7 +129,7 @@ Result<Answer> run_train(const TrainArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(request.options.method, learning::method_from(arguments.method));
   request.grid = arguments.grid;
   request.name = arguments.name;
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kWhole));
   for (const std::string& text : arguments.demonstrations) {
     TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), text));
     request.demonstrations.push_back(demonstration->id);
@@ -152,7 +152,7 @@ struct ListArguments {
 };
 
 Result<Answer> run_list(const ListArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   Answer answer;
   answer.json = {{"models", Json::array()}};
   answer.summary = counted(file.project()->models.size(), "model");
@@ -173,7 +173,7 @@ struct ShowArguments {
 };
 
 Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   Answer answer;
   answer.json = full_json(*file.project(), *entry);
@@ -219,7 +219,7 @@ Json around_json(const learning::Model& a, const Success& success_a, const Succe
 }
 
 Result<Answer> run_compare(const CompareArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry_a, find_model(*file.project(), arguments.model_a));
   TROCAR_ASSIGN_OR_RETURN(const auto entry_b, find_model(*file.project(), arguments.model_b));
   const learning::Model& a = *entry_a->model;

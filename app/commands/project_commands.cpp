@@ -34,7 +34,8 @@ Result<Answer> run_new(const ProjectArguments& arguments, Console& console) {
 }
 
 Result<Answer> run_info(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
   const auto project = file.project();
   constexpr int kTrials = 0;  // No command makes a trial yet, so that no project holds one.
   Answer answer;
@@ -66,7 +67,8 @@ void print_tree(const std::map<std::int64_t, std::vector<const workbench::Histor
 }
 
 Result<Answer> run_history(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
   Answer answer;
   answer.json = {{"head", file.head()}, {"history", Json::array()}};
   std::map<std::int64_t, std::vector<const workbench::HistoryNode*>> children;
@@ -93,21 +95,24 @@ Answer moved(const workbench::ProjectFile& file, const std::string& verb) {
 }
 
 Result<Answer> run_undo(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
-                          open_project(arguments.project, console, workbench::ProjectFile::Purpose::kMove));
+  TROCAR_ASSIGN_OR_RETURN(
+      workbench::ProjectFile file,
+      open_project(arguments.project, console, workbench::ProjectFile::Purpose::kMove, Models::kDescribed));
   TROCAR_RETURN_IF_ERROR(file.undo());
   return moved(file, "undone");
 }
 
 Result<Answer> run_redo(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
-                          open_project(arguments.project, console, workbench::ProjectFile::Purpose::kMove));
+  TROCAR_ASSIGN_OR_RETURN(
+      workbench::ProjectFile file,
+      open_project(arguments.project, console, workbench::ProjectFile::Purpose::kMove, Models::kDescribed));
   TROCAR_RETURN_IF_ERROR(file.redo());
   return moved(file, "done again");
 }
 
 Result<Answer> run_recover(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_edit(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_edit(arguments.project, console, Models::kDescribed));
   Answer answer;
   answer.json = {{"recovered", file.recovered()}};
   answer.summary = file.recovered() == 0 ? "nothing to recover"

@@ -66,7 +66,7 @@ std::string line_of(const learning::RolloutSummary& summary, demonstration::Segm
 
 Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   if (!arguments.out.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".csv"}));
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   const learning::Model& model = *entry->model;
   TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts, starts_from(arguments.starts, model));
@@ -112,7 +112,7 @@ void bind_compare(CLI::App& verb, CompareArguments& arguments) {
 }
 
 Result<Answer> run_compare(const CompareArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto a, find_model(*file.project(), arguments.model_a));
   TROCAR_ASSIGN_OR_RETURN(const auto b, find_model(*file.project(), arguments.model_b));
   if (a->model->grid != b->model->grid) {

@@ -61,7 +61,8 @@ Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
   job.speed = arguments.speed;
   job.camera = kCameras.at(arguments.camera);
   job.captions = !arguments.no_captions;
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
   for (const std::string& text : arguments.demonstrations) {
     TROCAR_ASSIGN_OR_RETURN(auto demonstration, find_demonstration(*file.project(), text));
     job.demonstrations.push_back(std::move(demonstration));

@@ -60,7 +60,9 @@ Result<stage::FieldLayer> layer_of(const workbench::ModelEntry& entry, const std
 Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png"}));
   TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console));
+  TROCAR_ASSIGN_OR_RETURN(
+      const workbench::ProjectFile file,
+      open_to_read(arguments.project, console, arguments.model.empty() ? Models::kDescribed : Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
   const double at_s = arguments.at_s.value_or(0.5 * (demonstration->begin_s + demonstration->end_s));
   if (!(at_s >= demonstration->begin_s && at_s <= demonstration->end_s)) {

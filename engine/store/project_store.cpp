@@ -293,11 +293,12 @@ Result<std::int64_t> ProjectStore::put_object(const std::string& kind, const std
 
 Result<std::vector<ObjectRow>> ProjectStore::objects(const std::string& kind) const {
   std::vector<ObjectRow> rows;
-  TROCAR_RETURN_IF_ERROR(impl_->database.query("SELECT id, kind, meta FROM objects WHERE kind = ? ORDER BY id",
-                                               {std::string_view(kind)}, [&](const Row& row) {
-                                                 rows.push_back({row.integer(0), row.text(1), row.text(2)});
-                                                 return Status();
-                                               }));
+  TROCAR_RETURN_IF_ERROR(
+      impl_->database.query("SELECT id, kind, meta, length(bytes) FROM objects WHERE kind = ? ORDER BY id",
+                            {std::string_view(kind)}, [&](const Row& row) {
+                              rows.push_back({row.integer(0), row.text(1), row.text(2), row.integer(3)});
+                              return Status();
+                            }));
   return rows;
 }
 

@@ -56,7 +56,8 @@ struct RecordingRow {
 struct ObjectRow {
   std::int64_t id = 0;
   std::string kind;
-  std::string meta;  ///< JSON.
+  std::string meta;             ///< JSON.
+  std::int64_t size_bytes = 0;  ///< Of its bytes, which are not read for this.
 };
 
 /// Every write is its own transaction unless inside `transaction`, and survives `kill -9` once it has returned. Several

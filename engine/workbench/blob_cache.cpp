@@ -83,6 +83,10 @@ Result<ModelEntry> BlobCache::model(std::int64_t object) const {
   TROCAR_ASSIGN_OR_RETURN(const std::vector<store::ObjectRow> rows, store_.objects(kModelKind));
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& each) { return each.id == object; });
   if (row == rows.end()) return fail(ErrorCode::kNotFound, fmt::format("the project has no stored model {}", object));
+  if (describe_only_) {
+    TROCAR_ASSIGN_OR_RETURN(std::optional<ModelEntry> described, describe_model(row->meta, row->size_bytes));
+    if (described) return models_[object] = std::move(*described);
+  }
   TROCAR_ASSIGN_OR_RETURN(const std::string bytes, store_.object_bytes(object));
   TROCAR_ASSIGN_OR_RETURN(ModelEntry entry, decode_model(row->meta, bytes));
   return models_[object] = std::move(entry);

@@ -14,6 +14,9 @@ class BlobCache final : public BlobSource {
  public:
   explicit BlobCache(const store::ProjectStore& store) : store_(store) {}
 
+  /// From now on models come without their bytes, as `describe_model` gives them.
+  void describe_models_only() { describe_only_ = true; }
+
   /// Errors: kNotFound; kCorrupt for one that is unfinished or does not match its own hash.
   Result<std::shared_ptr<const demonstration::Recording>> recording(demonstration::RecordingId id) const override;
   Result<ModelEntry> model(std::int64_t object) const override;
@@ -23,6 +26,7 @@ class BlobCache final : public BlobSource {
 
  private:
   const store::ProjectStore& store_;
+  bool describe_only_ = false;
   // Kept as long as the project is open: undo and redo may need any of them again within a frame.
   mutable std::map<demonstration::RecordingId, std::shared_ptr<const demonstration::Recording>> recordings_;
   mutable std::map<std::int64_t, ModelEntry> models_;

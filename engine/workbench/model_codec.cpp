@@ -40,6 +40,12 @@ bool take_segment(const json& meta, demonstration::Segment& segment) {
   return true;
 }
 
+bool take_hash(const std::string& text, std::uint64_t& hash) {
+  const char* last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), last, hash, 16);
+  return error == std::errc() && stop == last;
+}
+
 /// Each demonstration as {"id": 1, "hash": "00ff…"}.
 bool take_sources(const json& meta, ModelEntry& entry) {
   const auto sources = meta.find("demonstrations");
@@ -49,10 +55,7 @@ bool take_sources(const json& meta, ModelEntry& entry) {
     if (!source.is_object() || !source.contains("id") || !source["id"].is_number_integer()) return false;
     if (!take_text(source, "hash", text)) return false;
     std::uint64_t hash = 0;
-    const char* last = text.data() + text.size();
-    if (const auto [stop, error] = std::from_chars(text.data(), last, hash, 16); error != std::errc() || stop != last) {
-      return false;
-    }
+    if (!take_hash(text, hash)) return false;
     entry.demonstrations.push_back({source["id"].get<std::int64_t>()});
     entry.demonstration_hashes.push_back(hash);
   }
@@ -66,18 +69,23 @@ EncodedModel encode_model(const ModelEntry& entry) {
   for (std::size_t i = 0; i < entry.demonstrations.size(); ++i) {
     sources.push_back({{"id", entry.demonstrations[i].value}, {"hash", to_hex(entry.demonstration_hashes[i])}});
   }
+  std::string bytes = learning::encode_model(*entry.model);
   const json meta = {{"format", kFormat},
+                     {"hash", to_hex(entry.model->hash())},
+                     {"size_bytes", bytes.size()},
                      {"name", entry.name},
                      {"segment", std::string(1, demonstration::letter(entry.segment))},
                      {"created", entry.created},
                      {"demonstrations", sources},
                      {"seconds", entry.model->seconds},
                      {"summary", summary_of(*entry.model)}};
-  return {meta.dump(-1, ' ', false, json::error_handler_t::replace), learning::encode_model(*entry.model)};
+  return {meta.dump(-1, ' ', false, json::error_handler_t::replace), std::move(bytes)};
 }
 
-Result<ModelEntry> decode_model(std::string_view meta_text, std::string_view bytes) {
-  const json meta = json::parse(meta_text, nullptr, false);
+namespace {
+
+/// All but the model.
+Result<ModelEntry> entry_of(const json& meta) {
   if (!meta.is_object()) return corrupt("the model's description is not a JSON object");
   if (meta.value("format", json()) != json(kFormat)) {
     return fail(ErrorCode::kUnsupported, "the model has a layout that this version cannot read");
@@ -89,9 +97,28 @@ Result<ModelEntry> decode_model(std::string_view meta_text, std::string_view byt
       !seconds->is_number()) {
     return corrupt("the model's description misses a value or has one out of range");
   }
+  return entry;
+}
+
+}  // namespace
+
+Result<ModelEntry> decode_model(std::string_view meta_text, std::string_view bytes) {
+  const json meta = json::parse(meta_text, nullptr, false);
+  TROCAR_ASSIGN_OR_RETURN(ModelEntry entry, entry_of(meta));
   TROCAR_ASSIGN_OR_RETURN(learning::Model model, learning::decode_model(bytes));
-  model.seconds = seconds->get<double>();
+  model.seconds = meta["seconds"].get<double>();
   entry.model = std::make_shared<const learning::Model>(std::move(model));
+  return entry;
+}
+
+Result<std::optional<ModelEntry>> describe_model(std::string_view meta_text, std::int64_t size_bytes) {
+  const json meta = json::parse(meta_text, nullptr, false);
+  TROCAR_ASSIGN_OR_RETURN(ModelEntry entry, entry_of(meta));
+  std::string hash;
+  const auto size = meta.find("size_bytes");
+  if (!take_text(meta, "hash", hash) || size == meta.end()) return std::nullopt;
+  if (!take_hash(hash, entry.model_hash)) return corrupt("the model's description has a hash that is none");
+  if (*size != json(size_bytes)) return corrupt("the model's length does not fit its description");
   return entry;
 }
 

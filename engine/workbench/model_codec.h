@@ -1,6 +1,8 @@
 /// How a model is stored: where it came from as JSON, the model itself as the bytes of `learning::encode_model`.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,5 +23,8 @@ struct EncodedModel {
 EncodedModel encode_model(const ModelEntry& entry);
 /// An entry without id. Errors: kUnsupported for another layout; kCorrupt naming what does not fit.
 Result<ModelEntry> decode_model(std::string_view meta, std::string_view bytes);
+/// The same without the model itself, but with its hash; `size_bytes` is how long its bytes are. No value if only the
+/// bytes can tell (they were written before descriptions had what it takes). Errors: as `decode_model`.
+Result<std::optional<ModelEntry>> describe_model(std::string_view meta, std::int64_t size_bytes);
 
 }  // namespace trocar::workbench

@@ -6,6 +6,14 @@
 
 namespace trocar::workbench {
 
+namespace {
+
+std::uint64_t hash_of(const ModelEntry& entry) {
+  return entry.model ? entry.model->hash() : entry.model_hash;
+}
+
+}  // namespace
+
 bool Project::stale(const ModelEntry& model) const {
   for (std::size_t i = 0; i < model.demonstrations.size(); ++i) {
     const auto found = demonstrations.find(model.demonstrations[i]);
@@ -21,7 +29,7 @@ std::uint64_t Project::hash() const {
   for (const auto& [id, document] : demonstrations) hasher.value(id.value).text(document->name).value(document->hash());
   hasher.value(models.size());
   for (const auto& [id, entry] : models) {
-    hasher.value(id.value).text(entry->name).value(entry->segment).value(entry->model->hash());
+    hasher.value(id.value).text(entry->name).value(entry->segment).value(hash_of(*entry));
   }
   return hasher.digest();
 }

@@ -20,7 +20,8 @@ struct ModelEntry {
   ModelId id;
   std::string name;
   demonstration::Segment segment = demonstration::Segment::kA;
-  std::shared_ptr<const learning::Model> model;
+  std::shared_ptr<const learning::Model> model;  ///< Null in a project that was opened with its models described only.
+  std::uint64_t model_hash = 0;                  ///< Of that model, where it is null.
   std::vector<DemonstrationId> demonstrations;
   std::vector<std::uint64_t> demonstration_hashes;  ///< As they were when it was trained.
   std::string created;                              ///< ISO 8601.

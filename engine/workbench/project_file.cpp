@@ -227,11 +227,12 @@ Result<ProjectFile> ProjectFile::create(const std::filesystem::path& path, std::
 }
 
 Result<ProjectFile> ProjectFile::open(const std::filesystem::path& path, std::shared_ptr<const Clock> clock,
-                                      Diagnostics& diagnostics, Purpose purpose) {
+                                      Diagnostics& diagnostics, Purpose purpose, Models models) {
   const auto access =
       purpose == Purpose::kRead ? store::ProjectStore::Access::kRead : store::ProjectStore::Access::kWrite;
   TROCAR_ASSIGN_OR_RETURN(store::ProjectStore store, store::ProjectStore::open(path, access));
   ProjectFile file(std::make_unique<Impl>(std::move(store), std::move(clock)));
+  if (models == Models::kDescribed) file.impl_->blobs.describe_models_only();
   Status loaded = file.impl_->load();
   if (!loaded) return tl::unexpected(std::move(loaded).error().at(path.string()));
   TROCAR_ASSIGN_OR_RETURN(const auto cut_off, file.impl_->cut_off());

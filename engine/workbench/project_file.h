@@ -34,11 +34,18 @@ class ProjectFile {
   };
 
   static Result<ProjectFile> create(const std::filesystem::path& path, std::shared_ptr<const Clock> clock);
+  /// What is not needed is not read: models are large, and describing them takes nothing but their names.
+  enum class Models {
+    kWhole,
+    kDescribed,  ///< `ModelEntry::model` may be null.
+  };
+
   /// Rebuilds the document at HEAD. To edit, recordings that were cut off are added as recovered demonstrations
   /// ("Recovered (14.7 s)"), each with a warning; else a warning says that they wait.
   /// Errors: as `store::ProjectStore::open`, kCorrupt for a journal that does not apply.
   static Result<ProjectFile> open(const std::filesystem::path& path, std::shared_ptr<const Clock> clock,
-                                  Diagnostics& diagnostics, Purpose purpose = Purpose::kEdit);
+                                  Diagnostics& diagnostics, Purpose purpose = Purpose::kEdit,
+                                  Models models = Models::kWhole);
   ~ProjectFile();
   ProjectFile(ProjectFile&&) noexcept;
   ProjectFile& operator=(ProjectFile&&) noexcept;

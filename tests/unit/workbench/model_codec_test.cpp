@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/core/hash.h"
+
 #include "tests/support/project_fixture.h"
 
 using namespace trocar;
@@ -21,6 +23,43 @@ TEST_CASE("a stored model reads back to the same hash with all that it came from
   CHECK(read.demonstrations == entry.demonstrations);
   CHECK(read.demonstration_hashes == entry.demonstration_hashes);
   CHECK(read.created == entry.created);
+}
+
+TEST_CASE("a model is described without its bytes, with the same hash, and a wrong length is found") {
+  const ModelEntry entry = small_model();
+  const EncodedModel encoded = encode_model(entry);
+  const auto size = static_cast<std::int64_t>(encoded.bytes.size());
+  const std::optional<ModelEntry> described = describe_model(encoded.meta, size).value();
+  REQUIRE(described);
+  CHECK_FALSE(described->model);
+  CHECK(described->model_hash == entry.model->hash());
+  CHECK(described->name == entry.name);
+  CHECK(described->demonstration_hashes == entry.demonstration_hashes);
+  CHECK(describe_model(encoded.meta, size - 1).error().code() == ErrorCode::kCorrupt);
+  std::string older = encoded.meta;
+  older.replace(older.find("\"hash\":\"" + to_hex(entry.model->hash())), 6, "\"hsah\"");
+  CHECK_FALSE(describe_model(older, size).value());
+}
+
+TEST_CASE("a project whose models are only described has the same hash, and takes the same edits") {
+  const trocar::testing::ScratchFolder folder;
+  std::uint64_t hash = 0;
+  {
+    ProjectFile file = trocar::testing::created(folder / "p.trocar");
+    trocar::testing::add_demonstration(file, 10, "a");
+    REQUIRE(file.add_model(small_model(), Progress()));
+    hash = file.project()->hash();
+  }
+  Diagnostics diagnostics;
+  ProjectFile file = ProjectFile::open(folder / "p.trocar", trocar::testing::clock_at_rest(), diagnostics,
+                                       ProjectFile::Purpose::kEdit, ProjectFile::Models::kDescribed)
+                         .value();
+  CHECK(file.project()->hash() == hash);
+  REQUIRE(file.project()->models.size() == 1);
+  CHECK_FALSE(file.project()->models.begin()->second->model);
+  REQUIRE(file.undo());
+  REQUIRE(file.redo());
+  CHECK(file.project()->hash() == hash);
 }
 
 TEST_CASE("a model cut off at any byte is refused") {
