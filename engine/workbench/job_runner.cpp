@@ -46,6 +46,13 @@ void JobRunner::cancel(JobId id) {
   }
 }
 
+void JobRunner::cancel_all() {
+  std::vector<JobId> ids;
+  for (const auto& job : waiting_) ids.push_back(job->id);
+  if (running_) ids.push_back(running_->id);
+  for (const JobId id : ids) cancel(id);
+}
+
 std::vector<JobView> JobRunner::poll() {
   std::vector<JobView> ended;
   while (auto done = from_thread_.pop()) {

@@ -36,6 +36,7 @@ class JobRunner {
   JobId start(std::string title, Work work, bool hidden = false);
   /// A queued job never starts; a running one stops at its next look at the progress.
   void cancel(JobId id);
+  void cancel_all();
   /// Applies finished jobs and updates the fractions. Returns the jobs that ended since the last call.
   std::vector<JobView> poll();
   bool busy() const { return !waiting_.empty() || running_ != nullptr; }

@@ -22,6 +22,7 @@ LiveRecording::LiveRecording(ProjectFile& file, std::string name, trial::Transfe
 
 void LiveRecording::stop(bool keep) {
   keep_ = keep;
+  stopping_ = true;
   runner_.stop();
 }
 

@@ -28,6 +28,7 @@ class LiveRecording {
 
   /// Ends it early; discarded recordings are not added to the project.
   void stop(bool keep);
+  bool stopping() const { return stopping_; }
   const LiveView& view() const { return runner_.view(); }
 
  private:
@@ -40,6 +41,7 @@ class LiveRecording {
   std::string name_;
   RecordingWriter writer_;
   bool keep_ = true;
+  bool stopping_ = false;
   LiveRunner runner_;
 };
 

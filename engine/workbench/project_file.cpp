@@ -25,6 +25,13 @@ struct JournalEntry {
   std::string parameters;
 };
 
+/// For the history; a model has its name only after the edit that adds it.
+std::string said(const Edit& edit, const Project& before, const Project& after, std::int64_t id) {
+  const auto added = after.models.find(ModelId{id});
+  if (std::holds_alternative<AddModel>(edit) && added != after.models.end()) return "Add model " + added->second->name;
+  return describe(edit, before);
+}
+
 }  // namespace
 
 struct ProjectFile::Impl {
@@ -172,7 +179,12 @@ Result<std::int64_t> ProjectFile::Impl::commit(const std::function<Result<Edit>(
     TROCAR_ASSIGN_OR_RETURN(const Edit edit, prepare());
     const std::int64_t id = tree.newest() + 1;
     TROCAR_ASSIGN_OR_RETURN(edited, apply(*project, edit, id, blobs));
-    row = {0, head, iso_time(clock->unix_s()), std::string(name_of(edit)), to_json(edit), describe(edit, *project)};
+    row = {0,
+           head,
+           iso_time(clock->unix_s()),
+           std::string(name_of(edit)),
+           to_json(edit),
+           said(edit, *project, *edited, id)};
     TROCAR_ASSIGN_OR_RETURN(row.id, store.append(row));
     if (row.id == id) return {};
     return fail(ErrorCode::kCorrupt, "the numbers of the project's history have a gap");

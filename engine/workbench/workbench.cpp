@@ -34,6 +34,10 @@ bool Workbench::Impl::succeeded(const Status& status) {
 }
 
 bool Workbench::Impl::project_open() {
+  if (state.load == LoadState::kLoading) {
+    log(Severity::kWarning, "Wait until the project is open");
+    return false;
+  }
   if (!file) log(Severity::kWarning, "Open a project first");
   return file != nullptr;
 }
@@ -44,9 +48,18 @@ bool Workbench::Impl::is_output(const std::filesystem::path& path) {
   return false;
 }
 
-void Workbench::Impl::take_project(std::unique_ptr<ProjectFile> opened) {
+void Workbench::Impl::keep_project(const std::string& why) {
+  state.load = opening.busy() ? LoadState::kLoading : file ? LoadState::kReady : LoadState::kFailed;
+  if (file) state.path = file->path();
+  state.load_error = why;
+  log(Severity::kError, why);
+}
+
+void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
+  // The recording writes into the project that is open.
+  if (recording) return keep_project("Stop the recording before opening another project");
   file = std::move(opened);
-  state.load = LoadState::kReady;
+  state.load = opening.busy() ? LoadState::kLoading : LoadState::kReady;
   state.load_error.clear();
   state.path = file->path();
   refresh_document();
@@ -91,6 +104,12 @@ std::shared_ptr<const ModelEntry> Workbench::Impl::model(ModelId id) const {
   return found == state.project->models.end() ? nullptr : found->second;
 }
 
+std::string Workbench::Impl::description_of(std::int64_t node) const {
+  const auto& nodes = file->history();
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [node](const HistoryNode& n) { return n.id == node; });
+  return found == nodes.end() ? std::string() : found->description;
+}
+
 void Workbench::Impl::advance_playhead(double elapsed_s) {
   if (state.play_speed == 0.0) return;
   const auto shown = demonstration(state.demonstration);
@@ -119,20 +138,42 @@ void Workbench::Impl::poll_recording() {
   refresh_document();
 }
 
+void Workbench::Impl::poll_jobs() {
+  for (JobRunner* runner : {&opening, &jobs}) {
+    for (const JobView& ended : runner->poll()) {
+      if (ended.state == JobState::kFailed) log(Severity::kError, ended.title + ": " + ended.message);
+      if (ended.state == JobState::kDone && !ended.hidden) log(Severity::kInfo, ended.title + ": " + ended.message);
+      dirty = true;
+    }
+    if (runner->busy()) dirty = true;
+  }
+  state.jobs = jobs.jobs();
+  std::erase_if(state.jobs, [](const JobView& job) { return job.hidden; });
+}
+
+Status Workbench::Impl::finish(double limit_s) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(limit_s);
+  jobs.cancel_all();
+  opening.cancel_all();
+  if (recording && !recording->stopping()) recording->stop(true);
+  state.play_speed = 0.0;
+  while (recording || jobs.busy() || opening.busy()) {
+    if (std::chrono::steady_clock::now() > deadline) {
+      return fail(ErrorCode::kCancelled, "the workbench was still busy when it had to end");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    poll();
+  }
+  return {};
+}
+
 bool Workbench::Impl::poll() {
   const double now_s = options.clock->now_s();
   const double elapsed_s = std::clamp(now_s - last_poll_s, 0.0, 0.25);
   last_poll_s = now_s;
   advance_playhead(elapsed_s);
   poll_recording();
-  for (const JobView& ended : jobs.poll()) {
-    if (ended.state == JobState::kFailed) log(Severity::kError, ended.title + ": " + ended.message);
-    if (ended.state == JobState::kDone && !ended.hidden) log(Severity::kInfo, ended.title + ": " + ended.message);
-    dirty = true;
-  }
-  if (jobs.busy()) dirty = true;
-  state.jobs = jobs.jobs();
-  std::erase_if(state.jobs, [](const JobView& job) { return job.hidden; });
+  poll_jobs();
   if (insight.update()) {
     state.insight = insight.answer();
     dirty = true;
@@ -155,8 +196,8 @@ bool Workbench::poll() {
 }
 
 bool Workbench::busy() const {
-  return impl_->jobs.busy() || impl_->recording || impl_->state.play_speed != 0.0 || impl_->insight.pending() ||
-         (impl_->view && impl_->view->busy());
+  return impl_->jobs.busy() || impl_->opening.busy() || impl_->recording || impl_->state.play_speed != 0.0 ||
+         impl_->insight.pending() || (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {
@@ -169,6 +210,10 @@ Status Workbench::wait_idle(double limit_s, const Progress* progress) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return {};
+}
+
+Status Workbench::finish(double limit_s) {
+  return impl_->finish(limit_s);
 }
 
 const WorkbenchState& Workbench::state() const {

@@ -11,7 +11,7 @@
 
 namespace trocar::workbench {
 
-/// Threads: the main thread owns it; a picture thread, a job thread and a simulation thread work behind it.
+/// Threads: the main thread owns it; a picture thread, two job threads and a simulation thread work behind it.
 class Workbench {
  public:
   struct Options {
@@ -32,6 +32,9 @@ class Workbench {
   /// For scripts and tests: polls until jobs, recording and picture are done, at most `limit_s` of wall time.
   /// Errors: kCancelled when that time is over, or `progress` (if any) is cancelled; the work goes on then.
   Status wait_idle(double limit_s, const Progress* progress = nullptr);
+  /// Ends what is under way, before the program does: jobs are cancelled and leave nothing behind, a recording is kept
+  /// as aborted. Errors: kCancelled if that takes longer than `limit_s` of wall time.
+  Status finish(double limit_s);
   const WorkbenchState& state() const;
 
  private:

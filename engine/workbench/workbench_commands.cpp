@@ -17,7 +17,7 @@ void Workbench::Impl::on(const OpenProject& command) {
   state.path = command.path;
   dirty = true;
   struct Opened {
-    std::unique_ptr<ProjectFile> file;
+    std::shared_ptr<ProjectFile> file;
     Diagnostics diagnostics;
   };
   const auto work = [this, path = command.path, create = command.create](Progress&) -> Result<JobResult> {
@@ -28,14 +28,11 @@ void Workbench::Impl::on(const OpenProject& command) {
       // A failure is shown where the project would have been, so it is a result and not a failed job.
       const std::string why = file_opened.error().text();
       return JobResult{why, [this, why]() -> Status {
-                         state.load = file ? LoadState::kReady : LoadState::kFailed;
-                         if (file) state.path = file->path();
-                         state.load_error = why;
-                         log(Severity::kError, why);
+                         keep_project(why);
                          return {};
                        }};
     }
-    opened->file = std::make_unique<ProjectFile>(std::move(*file_opened));
+    opened->file = std::make_shared<ProjectFile>(std::move(*file_opened));
     return JobResult{"", [this, opened]() -> Status {
                        take_project(std::move(opened->file));
                        for (const std::string& warning : opened->diagnostics.warnings())
@@ -44,7 +41,7 @@ void Workbench::Impl::on(const OpenProject& command) {
                        return {};
                      }};
   };
-  jobs.start("Open " + command.path.filename().string(), work, true);
+  opening.start("Open " + command.path.filename().string(), work, true);
 }
 
 void Workbench::Impl::on(const CommitEdit& command) {
@@ -56,11 +53,17 @@ void Workbench::Impl::on(const CommitEdit& command) {
 }
 
 void Workbench::Impl::on(const Undo&) {
-  if (project_open() && succeeded(file->undo())) refresh_document();
+  if (!project_open()) return;
+  const std::string undone = description_of(file->head());
+  if (!succeeded(file->undo())) return;
+  log(Severity::kInfo, "Undid: " + undone);
+  refresh_document();
 }
 
 void Workbench::Impl::on(const Redo&) {
-  if (project_open() && succeeded(file->redo())) refresh_document();
+  if (!project_open() || !succeeded(file->redo())) return;
+  log(Severity::kInfo, "Did again: " + description_of(file->head()));
+  refresh_document();
 }
 
 void Workbench::Impl::on(const GoToHistory& command) {
@@ -144,13 +147,15 @@ void Workbench::Impl::on(const StopRecording& command) {
 
 void Workbench::Impl::on(const TrainModel& command) {
   if (!project_open()) return;
-  const auto work = [this, command, project = state.project](Progress& progress) -> Result<JobResult> {
+  const auto work = [this, command, owner = file, project = state.project](Progress& progress) -> Result<JobResult> {
     auto trained = train_model(*project, command, progress);
     if (!trained) return tl::unexpected(std::move(trained).error());
     auto entry = std::make_shared<const ModelEntry>(std::move(*trained));
     const std::string message = fmt::format("trained in {:.2f} s", entry->model->seconds);
-    return JobResult{message, [this, entry]() -> Status {
-                       TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file->add_model(*entry, Progress()));
+    // Into the project that it was learned from, even if another is open by now.
+    return JobResult{message, [this, entry, owner]() -> Status {
+                       TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, owner->add_model(*entry, Progress()));
+                       if (owner != file) return {};
                        state.model = ModelId{id};
                        refresh_document();
                        return {};

@@ -43,29 +43,36 @@ struct Workbench::Impl {
   void log(Severity severity, std::string text);
   /// Logs an error; false if there was one.
   bool succeeded(const Status& status);
-  /// False, with a word in the log, unless a project is open.
+  /// False, with a word in the log, unless a project is open and stays so.
   bool project_open();
   /// False, with a word in the log, for a path that is the project's own.
   bool is_output(const std::filesystem::path& path);
-  void take_project(std::unique_ptr<ProjectFile> opened);
+  void take_project(std::shared_ptr<ProjectFile> opened);
+  /// The project that was open stays; why another could not be opened is shown.
+  void keep_project(const std::string& why);
   /// After every change of the document: selection, gates and insight follow it.
   void refresh_document();
   void request_insight();
   std::shared_ptr<const demonstration::Demonstration> demonstration(DemonstrationId id) const;
   std::shared_ptr<const ModelEntry> model(ModelId id) const;
+  /// Of a node of the history; "" for its root.
+  std::string description_of(std::int64_t node) const;
   void advance_playhead(double elapsed_s);
   void poll_recording();
   bool poll();
+  void poll_jobs();
+  Status finish(double limit_s);
 
   Options options;
   WorkbenchState state;
-  std::unique_ptr<ProjectFile> file;
+  std::shared_ptr<ProjectFile> file;  ///< Shared with jobs that will commit to it.
   std::unique_ptr<LiveRecording> recording;
   std::optional<ViewDirector> view;
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
   double last_poll_s = 0.0;
   bool dirty = false;
-  JobRunner jobs;  // last: its thread ends first
+  JobRunner jobs;     // their threads end first
+  JobRunner opening;  // a project opens at once, whatever else runs
 };
 
 }  // namespace trocar::workbench

@@ -162,3 +162,60 @@ TEST_CASE("a cancelled film leaves no file, a finished one has every frame") {
   CHECK(bench.state().jobs.front().state == JobState::kDone);
   CHECK(media::probe_video(path).value().frames == 11);
 }
+
+TEST_CASE("while a project is being opened, nothing is recorded into the one that is about to close") {
+  Bench bench;
+  const std::filesystem::path first = bench.folder / "p.trocar";
+  bench.run(OpenProject{bench.folder / "second.trocar", true});
+  bench.workbench.post(OpenProject{first, false});
+  bench.workbench.post(RecordScripted{{}, "", true});
+  CHECK_FALSE(bench.state().live);
+  REQUIRE(bench.workbench.wait_idle(kPatience_s));
+  CHECK(bench.state().path == first);
+  CHECK_FALSE(bench.state().live);
+  CHECK(bench.logged(Severity::kWarning));
+  bench.record();
+  CHECK(bench.state().project->demonstrations.size() == 1);
+}
+
+TEST_CASE("a project opens beside a film, and a model lands in the project it was learned from") {
+  Bench bench;
+  bench.record();
+  const DemonstrationId id = bench.state().demonstration;
+  learning::TrainOptions options;
+  options.method = learning::Method::kExact;
+  bench.workbench.post(ExportVideo{{id}, bench.folder / "film.mp4", 1280, 720, 60.0});
+  bench.workbench.post(TrainModel{{id}, demonstration::Segment::kA, options, 22, "Mine"});
+  bench.workbench.post(OpenProject{bench.folder / "second.trocar", true});
+  while (bench.state().load == LoadState::kLoading) bench.workbench.poll();
+  REQUIRE(bench.state().jobs.size() == 2);
+  CHECK(bench.state().jobs.back().state == JobState::kRunning);
+  bench.workbench.post(CancelJob{bench.state().jobs.back().id});
+  REQUIRE(bench.workbench.wait_idle(kPatience_s));
+  CHECK(bench.state().project->models.empty());
+  bench.run(OpenProject{bench.folder / "p.trocar", false});
+  REQUIRE(bench.state().project->models.size() == 1);
+  CHECK(bench.state().history.back().description == "Add model Mine");
+}
+
+TEST_CASE("at the end of the program a recording is kept and a film leaves nothing behind") {
+  Bench bench;
+  bench.record();
+  bench.workbench.post(ExportVideo{{bench.state().demonstration}, bench.folder / "film.mp4", 320, 180, 10.0});
+  bench.workbench.post(RecordScripted{{}, "Short", true});
+  while (!bench.state().live || bench.state().live->samples < 10) bench.workbench.poll();
+  REQUIRE(bench.workbench.finish(kPatience_s));
+  CHECK_FALSE(bench.state().live);
+  CHECK(bench.state().project->demonstrations.size() == 2);
+  CHECK(bench.state().jobs.front().state == JobState::kCancelled);
+  CHECK_FALSE(std::filesystem::exists(bench.folder / "film.mp4"));
+}
+
+TEST_CASE("undo and redo say in the log what they did") {
+  Bench bench;
+  bench.record();
+  bench.run(Undo{});
+  CHECK(bench.state().log.back().text == "Undid: Add Expert 1");
+  bench.run(Redo{});
+  CHECK(bench.state().log.back().text == "Did again: Add Expert 1");
+}
