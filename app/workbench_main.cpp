@@ -1,5 +1,8 @@
 // The window: opens it on a project and runs until it is closed.
 #include <fmt/format.h>
+#include <signal.h>
+
+#include <unistd.h>
 
 #include <cstdio>
 #include <string_view>
@@ -17,6 +20,20 @@ using namespace trocar;
 constexpr std::string_view kUsage =
     "usage: trocar-workbench [PROJECT.trocar]\n"
     "Opens the workbench, on a project if one is named. Everything else is done in the window, or by `trocar`.\n";
+
+volatile sig_atomic_t stop_signal = 0;
+
+// The second one does not wait for a tidy end.
+void on_signal(int signal) {
+  if (stop_signal != 0) _exit(128 + signal);
+  stop_signal = signal;
+}
+
+void listen_to_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+}
 
 int complain(const Error& error) {
   fmt::print(stderr, "trocar-workbench: {}\n", error.text());
@@ -36,7 +53,13 @@ int run_window(const char* project) {
   auto application = ui::Application::create(**window, workbench, std::move(settings));
   if (!application) return complain(application.error());
   (*application)->session().show_frame_rate(true);
-  if (const Status done = ui::run(**application); !done) return complain(done.error());
+  listen_to_signals();
+  const Status done = ui::run(**application, [] { return stop_signal != 0; });
+  // A film that is being written must not stay as half a file, a recording not as something to be recovered.
+  constexpr double kPatience_s = 20.0;
+  const Status finished = workbench.finish(kPatience_s);
+  if (!done) return complain(done.error());
+  if (!finished) fmt::print(stderr, "trocar-workbench: {}\n", finished.error().text());
   ui::Settings kept = (*application)->session().settings();
   kept.window = (*window)->size();
   // A disk that cannot keep the layout is no reason to fail on the way out.

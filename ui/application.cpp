@@ -18,16 +18,16 @@ Status Application::step(double timeout_s) {
   const workbench::WorkbenchState& state = workbench_.state();
   const std::string project = state.project == nullptr ? "" : state.path.filename().string() + " – ";
   window_.set_title(project + "Trocar");
-  TROCAR_ASSIGN_OR_RETURN(ShellResult result, session_->frame(state));
+  TROCAR_ASSIGN_OR_RETURN(ShellResult result, session_->frame(state, window_.take_close_request()));
   for (workbench::Command& command : result.commands) workbench_.post(std::move(command));
-  quit_ = quit_ || result.quit || window_.should_close();
+  quit_ = quit_ || result.quit;
   return {};
 }
 
-Status run(Application& application) {
+Status run(Application& application, const std::function<bool()>& stopped) {
   // A job's progress and a picture that arrives late are looked for this often while nothing else happens.
   constexpr double kRest_s = 0.25;
-  while (!application.quit()) TROCAR_RETURN_IF_ERROR(application.step(kRest_s));
+  while (!application.quit() && !stopped()) TROCAR_RETURN_IF_ERROR(application.step(kRest_s));
   return {};
 }
 

@@ -1,6 +1,7 @@
 /// A session and a workbench together: what the window program, scripts and tests step frame by frame.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "engine/workbench/workbench.h"
@@ -29,7 +30,7 @@ class Application {
   bool quit_ = false;
 };
 
-/// Runs until the window closes; sleeps while nothing moves.
-Status run(Application& application);
+/// Runs until the window closes or `stopped` is true; sleeps while nothing moves.
+Status run(Application& application, const std::function<bool()>& stopped);
 
 }  // namespace trocar::ui

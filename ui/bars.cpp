@@ -1,9 +1,14 @@
 #include "ui/bars.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include "ui/command_table.h"
 #include "ui/format.h"
@@ -29,8 +34,8 @@ void draw_recent(Ui& ui, const Settings& settings, Requests& requests) {
   if (settings.recent.empty()) return;
   ImGui::Separator();
   for (const std::string& path : settings.recent) {
-    const std::string label = fitted(shown_path(path), ui.px(300));
-    const bool clicked = ImGui::MenuItem(label.c_str());
+    const std::string label = shown_path(path);
+    const bool clicked = ImGui::MenuItem((fitted(label, ui.px(300)) + "###" + label).c_str());
     note_item(ui, "menu item", label, "", {.help = "Open this project again"});
     if (clicked) requests.emplace_back(workbench::Command{workbench::OpenProject{path, false}});
   }
@@ -48,29 +53,127 @@ void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settin
   if (menu == "File") draw_recent(ui, settings, requests);
 }
 
-void draw_menus(Ui& ui, const WorkbenchState& state, const Settings& settings, Requests& requests) {
+constexpr std::array<const char*, 5> kMenus{"File", "Edit", "View", "Transport", "Help"};
+
+// How much of the menu bar is spelled out; the first for which there is room is taken.
+enum class BarWords : std::uint8_t { kAll, kIcons, kOneMenu };
+
+constexpr std::array<PanelId, kWorkspaceCount> kWorkspacePanels{PanelId::kLibrary, PanelId::kTimeline, PanelId::kFields,
+                                                                PanelId::kRollouts};
+
+struct Lamp {
+  std::string label;
+  const char* icon = nullptr;
+  std::string short_words;  ///< Beside the icon where room is short.
+  bool on = false;
+  std::string help;
+  std::optional<PanelId> panel;  ///< Shown by a click.
+};
+
+// From right to left.
+std::vector<Lamp> lamps_of(const WorkbenchState& state) {
+  const auto running = std::count_if(state.jobs.begin(), state.jobs.end(), [](const workbench::JobView& job) {
+    return job.state == JobState::kRunning || job.state == JobState::kQueued;
+  });
+  const auto problems = std::count_if(state.log.begin(), state.log.end(), [](const workbench::LogLine& line) {
+    return line.severity != workbench::Severity::kInfo;
+  });
+  std::vector<Lamp> lamps;
+  lamps.push_back({"SIM", icon::kChip, "", false, "SIM: every arm is simulated; no real arm is connected", {}});
+  if (problems > 0) {
+    lamps.push_back({count(problems) + (problems == 1 ? " problem" : " problems"), icon::kWarning, count(problems),
+                     false, "Warnings and errors are in the log", PanelId::kLog});
+  }
+  if (running > 0) {
+    lamps.push_back({count(running) + (running == 1 ? " job" : " jobs"), icon::kTasks, count(running), true,
+                     "Show what runs", PanelId::kJobs});
+  }
+  return lamps;
+}
+
+std::string words_of(const Lamp& lamp, BarWords detail) {
+  const std::string& words = detail == BarWords::kAll ? lamp.label : lamp.short_words;
+  return words.empty() ? std::string(lamp.icon) : std::string(lamp.icon) + "  " + words;
+}
+
+float framed_width(const std::string& words) {
+  return ImGui::CalcTextSize(words.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+float gap_of(const Ui& ui, BarWords detail) {
+  return detail == BarWords::kAll ? ui.px(28) : ui.px(20);
+}
+
+float bar_width(const Ui& ui, const std::vector<Lamp>& lamps, BarWords detail) {
+  float width = 2.0F * ui.px(12) + gap_of(ui, detail);
+  for (const char* menu : kMenus) {
+    if (detail != BarWords::kOneMenu) width += ImGui::CalcTextSize(menu).x + ui.px(28);
+  }
+  if (detail == BarWords::kOneMenu) width += ImGui::CalcTextSize(icon::kBars).x + ui.px(28);
+  for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
+    const auto workspace = static_cast<Workspace>(i);
+    width += ui.px(2) + framed_width(detail == BarWords::kAll ? std::string(title(workspace))
+                                                              : std::string(icon_of(kWorkspacePanels[i])));
+  }
+  for (const Lamp& lamp : lamps) width += framed_width(words_of(lamp, detail)) + ui.px(4);
+  return width;
+}
+
+BarWords bar_words(const Ui& ui, const std::vector<Lamp>& lamps) {
+  for (const BarWords detail : {BarWords::kAll, BarWords::kIcons}) {
+    if (bar_width(ui, lamps, detail) <= ImGui::GetWindowWidth()) return detail;
+  }
+  return BarWords::kOneMenu;
+}
+
+// Of the next menu's name. ImGui does not say it once the menu is open: then its last item is the menu.
+Rect menu_rect(const Ui& ui, const char* words) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool in_bar = ImGui::GetCurrentWindowRead()->DC.LayoutType == ImGuiLayoutType_Horizontal;
+  if (!in_bar)
+    return {at.x, at.y, at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeightWithSpacing()};
+  const float beside = std::floor(0.5F * ImGui::GetStyle().ItemSpacing.x);
+  return {at.x - beside, 0.0F, at.x + ImGui::CalcTextSize(words).x + 3.0F * beside, menu_bar_height(ui)};
+}
+
+void draw_menu(Ui& ui, const WorkbenchState& state, const Settings& settings, const char* menu, Requests& requests) {
+  note_rect(ui, "menu", menu, "", menu_rect(ui, menu), {});
+  const bool open = ImGui::BeginMenu(menu);
+  if (open) ui.items().set_last_value("open");
+  if (!open) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(10)});
+  draw_menu_items(ui, state, settings, menu, requests);
+  ImGui::PopStyleVar();
+  ImGui::EndMenu();
+}
+
+void draw_menus(Ui& ui, const WorkbenchState& state, const Settings& settings, BarWords detail, Requests& requests) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(14), ui.px(8)});
-  for (const char* menu : {"File", "Edit", "View", "Transport", "Help"}) {
-    const bool open = ImGui::BeginMenu(menu);
-    note_item(ui, "menu", menu, open ? "open" : "", {});
-    if (!open) continue;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(8)});
-    draw_menu_items(ui, state, settings, menu, requests);
-    ImGui::PopStyleVar();
-    ImGui::EndMenu();
+  if (detail != BarWords::kOneMenu) {
+    for (const char* menu : kMenus) draw_menu(ui, state, settings, menu, requests);
+  } else {
+    note_rect(ui, "menu", "All menus", "", menu_rect(ui, icon::kBars), {.help = "File, Edit, View, Transport, Help"});
+    const bool open = ImGui::BeginMenu(icon::kBars);
+    if (open) ui.items().set_last_value("open");
+    if (open) {
+      for (const char* menu : kMenus) draw_menu(ui, state, settings, menu, requests);
+      ImGui::EndMenu();
+    }
   }
   ImGui::PopStyleVar();
 }
 
-void draw_workspaces(Ui& ui, const Settings& settings, Requests& requests) {
+void draw_workspaces(Ui& ui, const Settings& settings, BarWords detail, Requests& requests) {
   const Scope scope(ui, "Workspaces");
-  ImGui::SameLine(0.0F, ui.px(28));
+  ImGui::SameLine(0.0F, gap_of(ui, detail));
   for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
     const auto workspace = static_cast<Workspace>(i);
     if (i > 0) ImGui::SameLine(0.0F, ui.px(2));
     const std::string keys = fmt::format("Ctrl+{}", i + 1);
     const std::string help = std::string(title(workspace)) + " workspace";
-    if (toggle(ui, title(workspace), settings.workspace == workspace, {.help = help, .shortcut = keys})) {
+    const char* only = detail == BarWords::kAll ? nullptr : icon_of(kWorkspacePanels[i]);
+    if (toggle(ui, title(workspace), settings.workspace == workspace,
+               {.icon = only, .icon_only = only != nullptr, .help = help, .shortcut = keys})) {
       requests.emplace_back(ShowWorkspace{workspace});
     }
     if (settings.workspace != workspace) continue;
@@ -80,43 +183,78 @@ void draw_workspaces(Ui& ui, const Settings& settings, Requests& requests) {
   }
 }
 
-// The lamps at the right end, drawn from right to left.
-void draw_lamps(Ui& ui, const WorkbenchState& state, double frames_hz, Requests& requests) {
-  const auto running = std::count_if(state.jobs.begin(), state.jobs.end(), [](const workbench::JobView& job) {
-    return job.state == JobState::kRunning || job.state == JobState::kQueued;
-  });
-  const auto problems = std::count_if(state.log.begin(), state.log.end(), [](const workbench::LogLine& line) {
-    return line.severity != workbench::Severity::kInfo;
-  });
+void draw_lamps(Ui& ui, const std::vector<Lamp>& lamps, BarWords detail, double frames_hz, Requests& requests) {
+  const float free_from = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
   float x = ImGui::GetWindowWidth() - ui.px(12);
   const auto place = [&](const std::string& words) {
-    const float width = ImGui::CalcTextSize(words.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    x -= width + ui.px(4);
+    x -= framed_width(words) + ui.px(4);
     ImGui::SameLine(x);
   };
-  const std::string sim = std::string(icon::kChip) + "  SIM";
-  place(sim);
-  toggle(ui, "SIM", false, {.icon = icon::kChip, .help = "Every arm is simulated; no real arm is connected"});
-  if (problems > 0) {
-    const std::string label = count(problems) + (problems == 1 ? " problem" : " problems");
-    place(std::string(icon::kWarning) + "  " + label);
-    if (toggle(ui, label, false, {.icon = icon::kWarning, .help = "Warnings and errors are in the log"})) {
-      requests.emplace_back(ShowPanel{PanelId::kLog});
-    }
-  }
-  if (running > 0) {
-    const std::string label = count(running) + (running == 1 ? " job" : " jobs");
-    place(std::string(icon::kTasks) + "  " + label);
-    if (toggle(ui, label, true, {.icon = icon::kTasks, .help = "Show what runs"})) {
-      requests.emplace_back(ShowPanel{PanelId::kJobs});
-    }
-  }
-  if (frames_hz > 0.0) {
-    const std::string words = fmt::format("{:.0f} fps", frames_hz);
+  for (const Lamp& lamp : lamps) {
+    const std::string words = words_of(lamp, detail);
     place(words);
-    ImGui::AlignTextToFramePadding();
-    dim_text(ui, words);
+    const WidgetOptions options{.icon = lamp.icon, .help = lamp.help};
+    if (toggle_shown_as(ui, lamp.label, words, lamp.on, options) && lamp.panel) {
+      requests.emplace_back(ShowPanel{*lamp.panel});
+    }
   }
+  const std::string rate = fmt::format("{:.0f} fps", frames_hz);
+  if (frames_hz > 0.0 && x - framed_width(rate) - ui.px(4) > free_from) {
+    place(rate);
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, rate);
+  }
+}
+
+// The buttons of the tool bar, and how they shrink: first the search field, then every button.
+enum class ToolWords : std::uint8_t { kAll, kShortSearch, kIcons };
+
+struct Tool {
+  std::string_view id;
+  std::string_view label;  ///< "": an icon always.
+  ButtonStyle style = ButtonStyle::kQuiet;
+  float space = 4.0F;  ///< Before it, pixels at 100 %.
+};
+
+std::vector<Tool> tools_of(const WorkbenchState& state) {
+  std::vector<Tool> tools;
+  if (state.live) {
+    tools.push_back({"demo.stop", "Stop and keep", ButtonStyle::kDanger, 0.0F});
+    tools.push_back({"demo.discard", "Discard", ButtonStyle::kNormal, 8.0F});
+  } else {
+    tools.push_back({"demo.record", "Record…", ButtonStyle::kNormal, 0.0F});
+  }
+  tools.push_back({"edit.undo", "", ButtonStyle::kQuiet, 14.0F});
+  tools.push_back({"edit.redo", "", ButtonStyle::kQuiet, 2.0F});
+  tools.push_back({"edit.trim_idle", "Trim idle", ButtonStyle::kQuiet, 14.0F});
+  tools.push_back({"demo.verify", "Verify replay"});
+  tools.push_back({"model.train", "Train…"});
+  tools.push_back({"file.export_video", "Export video…"});
+  return tools;
+}
+
+float icon_width(const Ui& ui) {
+  return ImGui::GetFrameHeight() + ui.px(4);
+}
+
+float search_width(const Ui& ui, ToolWords detail) {
+  return detail == ToolWords::kAll ? ui.px(210) : icon_width(ui);
+}
+
+float tools_width(const Ui& ui, const std::vector<Tool>& tools, ToolWords detail) {
+  float width = 2.0F * ui.px(10) + ui.px(14) + search_width(ui, detail);
+  for (const Tool& tool : tools) {
+    const bool icon_only = tool.label.empty() || detail == ToolWords::kIcons;
+    width += ui.px(tool.space) + (icon_only ? icon_width(ui) : button_width(ui, tool.label, command(tool.id).icon));
+  }
+  return width;
+}
+
+ToolWords tool_words(const Ui& ui, const std::vector<Tool>& tools) {
+  for (const ToolWords detail : {ToolWords::kAll, ToolWords::kShortSearch}) {
+    if (tools_width(ui, tools, detail) <= ImGui::GetWindowWidth()) return detail;
+  }
+  return ToolWords::kIcons;
 }
 
 }  // namespace
@@ -139,9 +277,11 @@ Requests draw_menu_bar(Ui& ui, const WorkbenchState& state, const Settings& sett
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                       {ui.px(10), 0.5F * (menu_bar_height(ui) - ui.fonts().body->FontSize)});
   if (ImGui::BeginMenuBar()) {
-    draw_menus(ui, state, settings, requests);
-    draw_workspaces(ui, settings, requests);
-    draw_lamps(ui, state, frames_hz, requests);
+    const std::vector<Lamp> lamps = lamps_of(state);
+    const BarWords detail = bar_words(ui, lamps);
+    draw_menus(ui, state, settings, detail, requests);
+    draw_workspaces(ui, settings, detail, requests);
+    draw_lamps(ui, lamps, detail, frames_hz, requests);
     ImGui::EndMenuBar();
   }
   ImGui::PopStyleVar();
@@ -153,32 +293,26 @@ Requests draw_tool_bar(Ui& ui, const WorkbenchState& state) {
   const Scope scope(ui, "Toolbar");
   ImGui::SetCursorPosX(ui.px(10));
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5F * (tool_bar_height(ui) - ImGui::GetFrameHeight()));
-  if (state.live) {
-    command_button(ui, state, "demo.stop", "Stop and keep", ButtonStyle::kDanger, requests);
-    ImGui::SameLine();
-    command_button(ui, state, "demo.discard", "Discard", ButtonStyle::kNormal, requests);
-  } else {
-    command_button(ui, state, "demo.record", "Record…", ButtonStyle::kNormal, requests);
+  const std::vector<Tool> tools = tools_of(state);
+  const ToolWords detail = tool_words(ui, tools);
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    const Tool& tool = tools[i];
+    if (i > 0) ImGui::SameLine(0.0F, ui.px(tool.space));
+    if (tool.label.empty() || detail == ToolWords::kIcons) {
+      command_icon(ui, state, tool.id, requests);
+    } else {
+      command_button(ui, state, tool.id, tool.label, tool.style, requests);
+    }
   }
-  ImGui::SameLine(0.0F, ui.px(14));
-  for (const std::string_view id : {"edit.undo", "edit.redo"}) {
-    command_icon(ui, state, id, requests);
-    ImGui::SameLine(0.0F, ui.px(2));
-  }
-  ImGui::SameLine(0.0F, ui.px(14));
-  command_button(ui, state, "edit.trim_idle", "Trim idle", ButtonStyle::kQuiet, requests);
-  ImGui::SameLine(0.0F, ui.px(4));
-  command_button(ui, state, "demo.verify", "Verify replay", ButtonStyle::kQuiet, requests);
-  ImGui::SameLine(0.0F, ui.px(4));
-  command_button(ui, state, "model.train", "Train…", ButtonStyle::kQuiet, requests);
-  ImGui::SameLine(0.0F, ui.px(4));
-  command_button(ui, state, "file.export_video", "Export video…", ButtonStyle::kQuiet, requests);
-  const std::string find = "Find a command…";
-  const float width = ui.px(210);
+  const float width = search_width(ui, detail);
   ImGui::SameLine(ImGui::GetWindowWidth() - width - ui.px(10));
+  if (detail != ToolWords::kAll) {
+    command_icon(ui, state, "help.palette", requests);
+    return requests;
+  }
   const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
   ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.0F, 0.5F});
-  if (button(ui, find,
+  if (button(ui, "Find a command…",
              {.icon = icon::kSearch, .help = "Every command by its name", .shortcut = "Ctrl+P", .width = width})) {
     requests.emplace_back(UiAction::kShowPalette);
   }
@@ -201,7 +335,7 @@ Requests draw_status_line(Ui& ui, const WorkbenchState& state, const StatusLine&
   {
     const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
     ImGui::TextUnformatted(shown.c_str());
-    note_item(ui, "text", "Hint", hint, {});
+    note_item(ui, "text", "Hint", hint, {.help = shown == hint ? std::string_view{} : std::string_view(hint)});
   }
   if (line.last_command.empty()) return requests;
   const float copy = ui.px(26);
@@ -221,7 +355,7 @@ Requests draw_status_line(Ui& ui, const WorkbenchState& state, const StatusLine&
   ImGui::SetCursorPos({right - copy - ui.px(8) - ImGui::CalcTextSize(words.c_str()).x, y});
   const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
   ImGui::TextUnformatted(words.c_str());
-  note_item(ui, "text", "Last command", line.last_command, {});
+  note_item(ui, "text", "Last command", line.last_command, {.help = line.last_command});
   return requests;
 }
 

@@ -1,19 +1,34 @@
 /// The rows of the command table by menu; only `command_table` gathers them.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "ui/command_table.h"
 
 namespace trocar::ui {
 
-std::vector<CommandRow> file_rows();
-std::vector<CommandRow> edit_rows();
-std::vector<CommandRow> view_rows();
-std::vector<CommandRow> transport_rows();
-std::vector<CommandRow> help_rows();
+/// A row as constant data; empty keys do not count.
+struct RowData {
+  std::string_view id;
+  std::string_view menu;
+  std::string_view title;
+  std::string_view help;
+  const char* icon = nullptr;
+  std::array<std::string_view, 2> keys;
+  bool separator = false;
+  std::string (*reason)(const WorkbenchState&) = nullptr;
+  Requests (*run)(const WorkbenchState&) = nullptr;
+};
+
+std::span<const RowData> file_rows();
+std::span<const RowData> edit_rows();
+std::span<const RowData> view_rows();
+std::span<const RowData> transport_rows();
+std::span<const RowData> help_rows();
 
 /// Why nothing can be done with the selected demonstration or model; "" if it can.
 std::string no_demonstration(const WorkbenchState& state);

@@ -8,12 +8,22 @@ namespace {
 using namespace workbench;
 using State = WorkbenchState;
 
+std::string cannot_change(const State& state) {
+  if (state.load == LoadState::kLoading) return "The project is being opened";
+  return state.project == nullptr ? "No project is open" : "";
+}
+
+std::string cannot_open(const State& state) {
+  return state.live ? "A transfer is being recorded" : "";
+}
+
 std::string cannot_record(const State& state) {
-  if (state.project == nullptr) return "No project is open";
+  if (std::string reason = cannot_change(state); !reason.empty()) return reason;
   return state.live ? "A transfer is being recorded" : "";
 }
 
 std::string cannot_edit(const State& state) {
+  if (std::string reason = cannot_change(state); !reason.empty()) return reason;
   return state.live ? "A transfer is being recorded" : no_demonstration(state);
 }
 
@@ -21,16 +31,29 @@ std::string cannot_stop(const State& state) {
   return state.live ? "" : "Nothing is being recorded";
 }
 
+std::string cannot_move_in_history(const State& state) {
+  if (std::string reason = cannot_change(state); !reason.empty()) return reason;
+  // An edit would land on the line that the recording does not know of.
+  return state.live ? "A transfer is being recorded" : "";
+}
+
 std::string cannot_undo(const State& state) {
+  if (std::string reason = cannot_move_in_history(state); !reason.empty()) return reason;
   return state.undoable ? "" : "Nothing to undo";
 }
 
 std::string cannot_redo(const State& state) {
+  if (std::string reason = cannot_move_in_history(state); !reason.empty()) return reason;
   return state.redoable ? "" : "Nothing to redo";
 }
 
+std::string cannot_remove_model(const State& state) {
+  const std::string reason = cannot_change(state);
+  return reason.empty() ? no_model(state) : reason;
+}
+
 std::string cannot_train(const State& state) {
-  if (state.project == nullptr) return "No project is open";
+  if (std::string reason = cannot_change(state); !reason.empty()) return reason;
   return state.project->demonstrations.empty() ? "There is no demonstration to learn from" : "";
 }
 
@@ -84,169 +107,165 @@ Requests discard_recording(const State&) {
   return one(Command{StopRecording{false}});
 }
 
+constexpr std::array<RowData, 5> kFileRows{{
+    {"file.new",
+     "File",
+     "New project…",
+     "Make an empty project file with the standard board",
+     icon::kFile,
+     {"Ctrl+N"},
+     false,
+     cannot_open,
+     act<UiAction::kNewProject>},
+    {"file.open",
+     "File",
+     "Open project…",
+     "Open a project file",
+     icon::kFolder,
+     {"Ctrl+O"},
+     false,
+     cannot_open,
+     act<UiAction::kOpenProject>},
+    {"file.export_video",
+     "File",
+     "Export video…",
+     "Film the selected demonstration",
+     icon::kFilm,
+     {"Ctrl+E"},
+     true,
+     no_demonstration,
+     act<UiAction::kShowExportVideo>},
+    {"file.export_field",
+     "File",
+     "Export field…",
+     "Write the shown field as a figure or as numbers",
+     icon::kDownload,
+     {"Ctrl+Shift+E"},
+     false,
+     no_model,
+     act<UiAction::kShowExportField>},
+    {"file.quit",
+     "File",
+     "Quit",
+     "Close the window; all work is already saved",
+     nullptr,
+     {"Ctrl+Q"},
+     true,
+     nullptr,
+     act<UiAction::kQuit>},
+}};
+
+constexpr std::array<RowData, 12> kEditRows{{
+    {"edit.undo", "Edit", "Undo", "Go back one step in the history", icon::kUndo, {"Ctrl+Z"}, false, cannot_undo, undo},
+    {"edit.redo",
+     "Edit",
+     "Redo",
+     "Go forward one step in the history",
+     icon::kRedo,
+     {"Ctrl+Shift+Z", "Ctrl+Y"},
+     false,
+     cannot_redo,
+     redo},
+    {"edit.trim_in",
+     "Edit",
+     "Trim in at playhead",
+     "Leave out what is before the playhead; the recording keeps it",
+     icon::kCut,
+     {"I"},
+     true,
+     cannot_edit,
+     trim_in},
+    {"edit.trim_out",
+     "Edit",
+     "Trim out at playhead",
+     "Leave out what is after the playhead; the recording keeps it",
+     icon::kCut,
+     {"O"},
+     false,
+     cannot_edit,
+     trim_out},
+    {"edit.trim_idle",
+     "Edit",
+     "Trim idle",
+     "Leave out both ends where no arm moves",
+     icon::kCut,
+     {"Ctrl+Shift+T"},
+     false,
+     cannot_trim_idle,
+     trim_idle},
+    {"edit.remove_demonstration",
+     "Edit",
+     "Delete demonstration",
+     "Take the selected demonstration out of the project; undo brings it back",
+     icon::kTrash,
+     {"Delete"},
+     true,
+     cannot_edit,
+     remove_demonstration},
+    {"edit.remove_model",
+     "Edit",
+     "Delete model",
+     "Take the selected model out of the project; undo brings it back",
+     icon::kTrash,
+     {"Shift+Delete"},
+     false,
+     cannot_remove_model,
+     remove_model},
+    {"demo.record",
+     "Edit",
+     "Record…",
+     "Let the scripted operators carry out a transfer in the simulator and record it",
+     icon::kRecord,
+     {"R"},
+     true,
+     cannot_record,
+     act<UiAction::kShowRecord>},
+    {"demo.stop",
+     "Edit",
+     "Stop and keep",
+     "End the recording and put it into the project",
+     icon::kStop,
+     {"Shift+R"},
+     false,
+     cannot_stop,
+     stop_recording},
+    {"demo.discard",
+     "Edit",
+     "Stop and discard",
+     "End the recording and throw it away",
+     icon::kCross,
+     {"Shift+Backspace"},
+     false,
+     cannot_stop,
+     discard_recording},
+    {"demo.verify",
+     "Edit",
+     "Verify replay",
+     "Simulate the recorded input again and compare every state hash",
+     icon::kVerify,
+     {"Ctrl+R"},
+     false,
+     no_demonstration,
+     verify},
+    {"model.train",
+     "Edit",
+     "Train…",
+     "Learn from demonstrations",
+     icon::kTrain,
+     {"T"},
+     false,
+     cannot_train,
+     show<PanelId::kTrain>},
+}};
+
 }  // namespace
 
-std::vector<CommandRow> file_rows() {
-  return {
-      {"file.new",
-       "File",
-       "New project…",
-       "Make an empty project file with the standard board",
-       icon::kFile,
-       {"Ctrl+N"},
-       false,
-       nullptr,
-       act<UiAction::kNewProject>},
-      {"file.open",
-       "File",
-       "Open project…",
-       "Open a project file",
-       icon::kFolder,
-       {"Ctrl+O"},
-       false,
-       nullptr,
-       act<UiAction::kOpenProject>},
-      {"file.export_video",
-       "File",
-       "Export video…",
-       "Film the selected demonstration",
-       icon::kFilm,
-       {"Ctrl+E"},
-       true,
-       no_demonstration,
-       act<UiAction::kShowExportVideo>},
-      {"file.export_field",
-       "File",
-       "Export field…",
-       "Write the shown field as a figure or as numbers",
-       icon::kDownload,
-       {"Ctrl+Shift+E"},
-       false,
-       no_model,
-       act<UiAction::kShowExportField>},
-      {"file.quit",
-       "File",
-       "Quit",
-       "Close the window; all work is already saved",
-       nullptr,
-       {"Ctrl+Q"},
-       true,
-       nullptr,
-       act<UiAction::kQuit>},
-  };
+std::span<const RowData> file_rows() {
+  return kFileRows;
 }
 
-std::vector<CommandRow> edit_rows() {
-  return {
-      {"edit.undo",
-       "Edit",
-       "Undo",
-       "Go back one step in the history",
-       icon::kUndo,
-       {"Ctrl+Z"},
-       false,
-       cannot_undo,
-       undo},
-      {"edit.redo",
-       "Edit",
-       "Redo",
-       "Go forward one step in the history",
-       icon::kRedo,
-       {"Ctrl+Shift+Z", "Ctrl+Y"},
-       false,
-       cannot_redo,
-       redo},
-      {"edit.trim_in",
-       "Edit",
-       "Trim in at playhead",
-       "Leave out what is before the playhead; the recording keeps it",
-       icon::kCut,
-       {"I"},
-       true,
-       cannot_edit,
-       trim_in},
-      {"edit.trim_out",
-       "Edit",
-       "Trim out at playhead",
-       "Leave out what is after the playhead; the recording keeps it",
-       icon::kCut,
-       {"O"},
-       false,
-       cannot_edit,
-       trim_out},
-      {"edit.trim_idle",
-       "Edit",
-       "Trim idle",
-       "Leave out both ends where no arm moves",
-       icon::kCut,
-       {"Ctrl+Shift+T"},
-       false,
-       cannot_trim_idle,
-       trim_idle},
-      {"edit.remove_demonstration",
-       "Edit",
-       "Delete demonstration",
-       "Take the selected demonstration out of the project; undo brings it back",
-       icon::kTrash,
-       {"Delete"},
-       true,
-       cannot_edit,
-       remove_demonstration},
-      {"edit.remove_model",
-       "Edit",
-       "Delete model",
-       "Take the selected model out of the project; undo brings it back",
-       icon::kTrash,
-       {"Shift+Delete"},
-       false,
-       no_model,
-       remove_model},
-      {"demo.record",
-       "Edit",
-       "Record…",
-       "Let the scripted operators carry out a transfer in the simulator and record it",
-       icon::kRecord,
-       {"R"},
-       true,
-       cannot_record,
-       act<UiAction::kShowRecord>},
-      {"demo.stop",
-       "Edit",
-       "Stop and keep",
-       "End the recording and put it into the project",
-       icon::kStop,
-       {"Shift+R"},
-       false,
-       cannot_stop,
-       stop_recording},
-      {"demo.discard",
-       "Edit",
-       "Stop and discard",
-       "End the recording and throw it away",
-       icon::kCross,
-       {"Shift+Backspace"},
-       false,
-       cannot_stop,
-       discard_recording},
-      {"demo.verify",
-       "Edit",
-       "Verify replay",
-       "Simulate the recorded input again and compare every state hash",
-       icon::kVerify,
-       {"Ctrl+R"},
-       false,
-       no_demonstration,
-       verify},
-      {"model.train",
-       "Edit",
-       "Train…",
-       "Learn from demonstrations",
-       icon::kTrain,
-       {"T"},
-       false,
-       cannot_train,
-       show<PanelId::kTrain>},
-  };
+std::span<const RowData> edit_rows() {
+  return kEditRows;
 }
 
 }  // namespace trocar::ui

@@ -14,8 +14,13 @@ using State = WorkbenchState;
 
 std::vector<CommandRow> make_table() {
   std::vector<CommandRow> table;
-  for (std::vector<CommandRow> rows : {file_rows(), edit_rows(), view_rows(), transport_rows(), help_rows()}) {
-    for (CommandRow& row : rows) table.push_back(std::move(row));
+  for (const auto rows : {file_rows(), edit_rows(), view_rows(), transport_rows(), help_rows()}) {
+    for (const RowData& row : rows) {
+      table.push_back({row.id, row.menu, row.title, row.help, row.icon, {}, row.separator, row.reason, row.run});
+      for (const std::string_view keys : row.keys) {
+        if (!keys.empty()) table.back().keys.push_back(keys);
+      }
+    }
   }
   return table;
 }

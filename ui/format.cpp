@@ -14,6 +14,12 @@ std::string seconds(double s) {
   return fmt::format("{:.2f} s", s);
 }
 
+std::string elapsed(double s) {
+  if (s >= 1.0) return seconds(s);
+  const double ms = 1000.0 * s;
+  return fmt::format("{:.{}f} ms", ms, ms >= 10.0 ? 0 : ms >= 0.1 ? 1 : 2);
+}
+
 std::string time_code(double s) {
   // Tenths first, so that 59.96 s is 1:00.0 and never 0:60.0.
   const auto tenths = static_cast<std::int64_t>(std::llround(std::max(s, 0.0) * 10.0));

@@ -9,6 +9,8 @@ namespace trocar::ui {
 
 /// "12.40 s"
 std::string seconds(double s);
+/// How long a computation took: "12.40 s", "340 ms", "3.2 ms".
+std::string elapsed(double s);
 /// "0:12.4", "1:02:03.4": a place in time.
 std::string time_code(double s);
 /// "2,480"

@@ -145,7 +145,7 @@ Result<UiRunReport> run_headless(const UiRunOptions& options) {
   if (!options.project.empty()) workbench.post(workbench::OpenProject{options.project, false});
   Settings settings;
   settings.scale = static_cast<float>(options.scale);
-  settings.dark = options.dark;
+  settings.theme = options.theme;
   TROCAR_ASSIGN_OR_RETURN(const std::unique_ptr<Application> application,
                           Application::create(*window, workbench, std::move(settings)));
   UiRunReport report;

@@ -6,6 +6,7 @@
 
 #include "engine/core/progress.h"
 #include "engine/core/result.h"
+#include "ui/theme.h"
 
 namespace trocar::ui {
 
@@ -16,7 +17,7 @@ struct UiRunOptions {
   int width = 1600;
   int height = 900;
   double scale = 1.0;  ///< 0.75 … 3.
-  bool dark = true;
+  ThemeKind theme = ThemeKind::kDark;
   bool dump = false;                   ///< Fill `UiRunReport::dump`.
   const Progress* progress = nullptr;  ///< Cancelled: the run ends at the next frame, and all jobs with it.
 };

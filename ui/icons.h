@@ -27,6 +27,7 @@ constexpr const char* kInfo = "\xef\x81\x9a";       // f05a
 constexpr const char* kSearch = "\xef\x80\x82";     // f002
 constexpr const char* kHistory = "\xef\x87\x9a";    // f1da
 constexpr const char* kTasks = "\xef\x82\xae";      // f0ae
+constexpr const char* kBars = "\xef\x83\x89";       // f0c9 three bars
 constexpr const char* kList = "\xef\x80\xba";       // f03a
 constexpr const char* kCopy = "\xef\x83\x85";       // f0c5
 constexpr const char* kCamera = "\xef\x80\xb0";     // f030

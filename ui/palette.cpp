@@ -37,7 +37,12 @@ bool draw_row(Ui& ui, const CommandRow& row, const std::string& reason, bool cho
   const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
   ImGui::SameLine(0.0F, ui.px(14));
   const std::string_view words = reason.empty() ? row.help : std::string_view(reason);
-  ImGui::TextUnformatted(fitted(words, right - keys_width - ui.px(14) - ImGui::GetCursorPosX()).c_str());
+  const float room = right - keys_width - ui.px(14) - ImGui::GetCursorPosX();
+  if (room > ui.px(60)) {
+    ImGui::TextUnformatted(fitted(words, room).c_str());
+  } else {
+    ImGui::NewLine();
+  }
   ImGui::SetCursorPos({right - keys_width, y});
   ImGui::TextUnformatted(keys.c_str());
   ImGui::SetCursorPos(next);

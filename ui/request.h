@@ -12,7 +12,8 @@ namespace trocar::ui {
 enum class UiAction {
   kNewProject,
   kOpenProject,
-  kQuit,
+  kQuit,  ///< Asks first if something would be cut off.
+  kQuitNow,
   kShowRecord,
   kShowExportVideo,
   kShowExportField,

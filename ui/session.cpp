@@ -41,7 +41,7 @@ Result<std::unique_ptr<Session>> Session::create(Window& window, Settings settin
 Status Session::restyle() {
   restyle_ = false;
   const float scale = effective_scale(settings_, window_.content_scale());
-  ui_.set_theme(settings_.dark ? dark_theme() : light_theme());
+  ui_.set_theme(make_theme(settings_.theme));
   apply(ui_.theme(), scale, ImGui::GetStyle());
   if (ui_.fonts().body == nullptr || ui_.fonts().scale != scale) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -71,7 +71,7 @@ double Session::measure_rate(double now_s) {
   return rate_hz_;
 }
 
-Result<ShellResult> Session::frame(const WorkbenchState& state) {
+Result<ShellResult> Session::frame(const WorkbenchState& state, bool close_asked) {
   ImGui::SetCurrentContext(context_.get());
   if (restyle_ || effective_scale(settings_, window_.content_scale()) != ui_.scale()) {
     TROCAR_RETURN_IF_ERROR(restyle());
@@ -80,7 +80,7 @@ Result<ShellResult> Session::frame(const WorkbenchState& state) {
   const double rate_hz = measure_rate(window_.now_s());
   ImGui::NewFrame();
   ui_.begin_frame(window_.now_s());
-  ShellResult result = shell_.draw(ui_, state, rate_hz);
+  ShellResult result = shell_.draw(ui_, state, rate_hz, close_asked);
   ImGui::Render();
   restyle_ = result.restyle;
   if (settling_ > 0) --settling_;

@@ -22,7 +22,8 @@ class Session {
 
   /// Takes the input that waits in the window, draws, and returns what was asked for; theme, scale and clipboard are
   /// already seen to. Errors: those of the window, kNotFound for fonts.
-  Result<ShellResult> frame(const WorkbenchState& state);
+  /// `close_asked`: somebody wants the window to close; the result says whether it shall.
+  Result<ShellResult> frame(const WorkbenchState& state, bool close_asked = false);
   /// True if another frame is wanted at once: input waits, or something moves.
   bool restless() const;
 

@@ -37,7 +37,9 @@ Result<Settings> settings_from_json(std::string_view text) {
     const float scale = json["scale"].get<float>();
     settings.scale = scale > 0.0F ? std::clamp(scale, 0.75F, 3.0F) : 0.0F;
   }
-  if (json.contains("dark") && json["dark"].is_boolean()) settings.dark = json["dark"].get<bool>();
+  if (json.contains("theme") && json["theme"].is_string()) {
+    settings.theme = theme_from(json["theme"].get<std::string>()).value_or(settings.theme);
+  }
   if (json.contains("workspace") && json["workspace"].is_number_unsigned()) {
     const auto workspace = json["workspace"].get<std::size_t>();
     if (workspace < kWorkspaceCount) settings.workspace = static_cast<Workspace>(workspace);
@@ -62,7 +64,7 @@ std::string to_json(const Settings& settings) {
     layouts[std::string(title(static_cast<Workspace>(i)))] = Json::parse(to_json(settings.layouts[i]));
   }
   const Json json{{"scale", settings.scale},
-                  {"dark", settings.dark},
+                  {"theme", std::string(name_of(settings.theme))},
                   {"workspace", static_cast<unsigned>(settings.workspace)},
                   {"layouts", layouts},
                   {"window", {settings.window.width, settings.window.height}},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "ui/theme.h"
 #include "ui/tile_tree.h"
 #include "ui/window/window.h"
 
@@ -14,7 +15,7 @@ namespace trocar::ui {
 
 struct Settings {
   float scale = 0.0F;  ///< 0.75 … 3; 0: as the screen asks.
-  bool dark = true;
+  ThemeKind theme = ThemeKind::kDark;
   Workspace workspace = Workspace::kAuthor;
   std::array<Tile, kWorkspaceCount> layouts{default_layout(Workspace::kLibrary), default_layout(Workspace::kAuthor),
                                             default_layout(Workspace::kFields), default_layout(Workspace::kRollouts)};

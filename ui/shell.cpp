@@ -30,29 +30,39 @@ void close_popups_on_escape(const Ui& ui) {
   if (open && ui.input().pressed(Key::kEscape)) ImGui::ClosePopupToLevel(0, true);
 }
 
-// What a tab shows: less where the strip is narrow.
-enum class TabWords : std::uint8_t { kIconAndTitle, kTitle, kIcon };
+// What the tabs of a strip show: less where it is narrow.
+enum class TabWords : std::uint8_t { kIconAndTitle, kTitle, kIcons, kIconsOnly };
 
-std::string words_of_tab(PanelId panel, TabWords detail) {
-  if (detail == TabWords::kTitle) return std::string(title(panel));
-  if (detail == TabWords::kIcon) return icon_of(panel);
+std::string words_of_tab(PanelId panel, bool active, TabWords detail) {
+  const bool title_only = detail == TabWords::kTitle || (detail == TabWords::kIcons && active);
+  if (title_only) return std::string(title(panel));
+  if (detail != TabWords::kIconAndTitle) return icon_of(panel);
   return std::string(icon_of(panel)) + "  " + std::string(title(panel));
 }
 
+float tab_margin(const Ui& ui, TabWords detail) {
+  return detail == TabWords::kIconsOnly ? ui.px(6) : ui.px(11);
+}
+
+float tab_width(const Ui& ui, const std::string& words, TabWords detail) {
+  return std::max(ImGui::CalcTextSize(words.c_str()).x + 2.0F * tab_margin(ui, detail), ui.px(24));
+}
+
 TabWords tab_words(const Ui& ui, const Tile& tile, float room) {
-  for (const TabWords detail : {TabWords::kIconAndTitle, TabWords::kTitle}) {
+  for (const TabWords detail : {TabWords::kIconAndTitle, TabWords::kTitle, TabWords::kIcons}) {
     float width = 0.0F;
-    for (const PanelId panel : tile.panels) {
-      width += ImGui::CalcTextSize(words_of_tab(panel, detail).c_str()).x + ui.px(22);
+    for (std::size_t i = 0; i < tile.panels.size(); ++i) {
+      const bool active = static_cast<int>(i) == tile.active;
+      width += tab_width(ui, words_of_tab(tile.panels[i], active, detail), detail);
     }
     if (width <= room) return detail;
   }
-  return TabWords::kIcon;
+  return TabWords::kIconsOnly;
 }
 
 // The picture goes to the edge of its tile; everything else has a margin.
-bool has_margin(PanelId panel) {
-  return panel != PanelId::kView;
+bool has_margin(PanelId panel, const WorkbenchState& state) {
+  return panel != PanelId::kView || state.load != workbench::LoadState::kReady;
 }
 
 }  // namespace
@@ -63,10 +73,20 @@ float effective_scale(const Settings& settings, float content_scale) {
 
 Shell::Shell(Settings& settings) : settings_(settings) {
   for (std::size_t i = 0; i < kPanelCount; ++i) panels_[i] = make_panel(static_cast<PanelId>(i));
+  fronted_[static_cast<std::size_t>(PanelId::kView)] = front_counter_;
 }
 
-void Shell::draw_tabs(Ui& ui, Tile& tile, const Rect& rect) {
+void Shell::bring_to_front(PanelId panel) {
+  fronted_[static_cast<std::size_t>(panel)] = ++front_counter_;
+  Tile* tile = find_panel(settings_.layout(), panel);
+  if (tile == nullptr) return;
+  const auto at = std::find(tile->panels.begin(), tile->panels.end(), panel);
+  tile->active = static_cast<int>(at - tile->panels.begin());
+}
+
+void Shell::draw_tabs(Ui& ui, const Tile& tile, const Rect& rect) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushClipRect({rect.x0, rect.y0}, {rect.x1, rect.y1}, true);
   list.AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(ui.theme().header));
   const Scope scope(ui, "Tabs");
   const TabWords detail = tab_words(ui, tile, rect.width());
@@ -74,38 +94,41 @@ void Shell::draw_tabs(Ui& ui, Tile& tile, const Rect& rect) {
   for (int i = 0; i < static_cast<int>(tile.panels.size()); ++i) {
     const PanelId panel = tile.panels[static_cast<std::size_t>(i)];
     const bool active = i == tile.active;
-    const std::string words = words_of_tab(panel, active ? std::min(detail, TabWords::kTitle) : detail);
-    const float width = ImGui::CalcTextSize(words.c_str()).x + ui.px(22);
+    const std::string words = words_of_tab(panel, active, detail);
+    const float width = tab_width(ui, words, detail);
     ImGui::SetCursorScreenPos({x, rect.y0});
-    if (ImGui::InvisibleButton(std::string(title(panel)).c_str(), {width, rect.height()})) tile.active = i;
+    if (ImGui::InvisibleButton(std::string(title(panel)).c_str(), {width, rect.height()})) bring_to_front(panel);
     const bool hovered = ImGui::IsItemHovered();
     note_item(ui, "tab", title(panel), active ? "on" : "off",
-              {.help = detail == TabWords::kIcon ? title(panel) : std::string_view{}});
+              {.help = detail >= TabWords::kIcons ? title(panel) : std::string_view{}});
     if (active) {
       list.AddRectFilled({x, rect.y0}, {x + width, rect.y1}, to_u32(ui.theme().panel));
       list.AddRectFilled({x, rect.y0}, {x + width, rect.y0 + ui.px(2)}, to_u32(ui.theme().accent));
     }
     const Rgba colour = active || hovered ? ui.theme().text : ui.theme().text_dim;
     const float y = std::round(rect.centre_y() - 0.5F * ImGui::GetFontSize());
-    list.AddText({x + ui.px(11), y}, to_u32(colour), words.c_str());
+    const float text = ImGui::CalcTextSize(words.c_str()).x;
+    list.AddText({std::round(x + 0.5F * (width - text)), y}, to_u32(colour), words.c_str());
     x += width;
   }
+  ImGui::PopClipRect();
 }
 
 void Shell::draw_tile(Ui& ui, const WorkbenchState& state, const PlacedTile& placed, Requests& requests) {
-  Tile& tile = *placed.tile;
+  const Tile& tile = *placed.tile;
   const PanelId panel = tile.panels[static_cast<std::size_t>(tile.active)];
   const Rect& rect = placed.rect;
   const float strip = ui.px(30);
   draw_tabs(ui, tile, {rect.x0, rect.y0, rect.x1, rect.y0 + strip});
   ImGui::SetCursorScreenPos({rect.x0, rect.y0 + strip});
-  const ImVec2 margin = has_margin(panel) ? ImVec2{ui.px(12), ui.px(10)} : ImVec2{0.0F, 0.0F};
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, margin);
+  const bool margin = has_margin(panel, state);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, margin ? ImVec2{ui.px(12), ui.px(10)} : ImVec2{0.0F, 0.0F});
   ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, 0.0F);
   const ColourScope ground(ImGuiCol_ChildBg, ui.theme().panel);
-  const ImGuiWindowFlags flags =
-      ImGuiWindowFlags_AlwaysUseWindowPadding |
-      (has_margin(panel) ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  // Over a canvas the wheel is the canvas's: it zooms or steps, and does not scroll the panel as well.
+  const ImGuiWindowFlags wheel = ui.wheel_taken() ? ImGuiWindowFlags_NoScrollWithMouse : 0;
+  const ImGuiWindowFlags flags = ImGuiWindowFlags_AlwaysUseWindowPadding |
+                                 (margin ? wheel : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::BeginChild(std::string(title(panel)).c_str(), {rect.width(), rect.height() - strip}, false, flags);
   ImGui::PopStyleVar(2);
   {
@@ -117,15 +140,24 @@ void Shell::draw_tile(Ui& ui, const WorkbenchState& state, const PlacedTile& pla
   ImGui::EndChild();
 }
 
+// A tab group that was made for want of room shows what was last brought to the front.
+void Shell::choose_front(Tile& tile) const {
+  const auto newer = [this](PanelId a, PanelId b) {
+    return fronted_[static_cast<std::size_t>(a)] < fronted_[static_cast<std::size_t>(b)];
+  };
+  const auto front = std::max_element(tile.panels.begin(), tile.panels.end(), newer);
+  tile.active = static_cast<int>(front - tile.panels.begin());
+}
+
 void Shell::draw_tiles(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests) {
-  const float gap = ui.px(4);
   Tile single;
   if (maximised_) {
     single.panels = {*maximised_};
-    draw_tile(ui, state, {&single, rect}, requests);
+    draw_tile(ui, state, {&single, rect, false}, requests);
     return;
   }
-  const Placement placement = place(settings_.layout(), rect, gap);
+  const Placement placement = place(settings_.layout(), rect, {ui.px(4), ui.px(250), ui.px(160)});
+  for (const std::unique_ptr<Tile>& merged : placement.merged) choose_front(*merged);
   for (std::size_t i = 0; i < placement.tiles.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     draw_tile(ui, state, placement.tiles[i], requests);
@@ -141,7 +173,7 @@ void Shell::draw_tiles(Ui& ui, const WorkbenchState& state, const Rect& rect, Re
     (bar.vertical ? grip.x0 : grip.y0) -= ui.px(2);
     (bar.vertical ? grip.x1 : grip.y1) += ui.px(2);
     if (splitter(ui, std::to_string(i + 1), bar.vertical, grip, position, share)) {
-      move_splitter(bar, position, bar.vertical ? ui.px(220) : ui.px(110));
+      move_splitter(bar, position, bar.vertical ? ui.px(250) : ui.px(160));
     }
     if (share) equalise(bar);
   }
@@ -181,7 +213,7 @@ Requests Shell::draw_host(Ui& ui, const WorkbenchState& state, double frames_hz)
 
 Requests Shell::draw_forms(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  for (Form* form : std::initializer_list<Form*>{&record_, &file_, &video_, &field_, &shortcuts_, &about_}) {
+  for (Form* form : std::initializer_list<Form*>{&record_, &file_, &video_, &field_, &shortcuts_, &about_, &quit_}) {
     append(requests, form->draw(ui, state));
   }
   append(requests, palette_.draw(ui, state));
@@ -190,7 +222,7 @@ Requests Shell::draw_forms(Ui& ui, const WorkbenchState& state) {
 
 bool Shell::form_open() const {
   return record_.is_open() || file_.is_open() || video_.is_open() || field_.is_open() || shortcuts_.is_open() ||
-         about_.is_open() || palette_.is_open();
+         about_.is_open() || quit_.is_open() || palette_.is_open();
 }
 
 Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
@@ -209,58 +241,34 @@ Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
   return requests;
 }
 
-void Shell::act(UiAction action, const Ui& ui, ShellResult& result) {
-  switch (action) {
-    case UiAction::kNewProject:
-      file_.open_new();
-      break;
-    case UiAction::kOpenProject:
-      file_.open_existing();
-      break;
-    case UiAction::kQuit:
-      result.quit = true;
-      break;
-    case UiAction::kShowRecord:
-      record_.open();
-      break;
-    case UiAction::kShowExportVideo:
-      video_.open();
-      break;
-    case UiAction::kShowExportField:
-      field_.open();
-      break;
-    case UiAction::kShowPalette:
-      palette_.open();
-      break;
-    case UiAction::kShowShortcuts:
-      shortcuts_.open();
-      break;
-    case UiAction::kShowAbout:
-      about_.open();
-      break;
-    case UiAction::kScaleUp:
-      settings_.scale = next_scale(ui.scale(), true);
-      break;
-    case UiAction::kScaleDown:
-      settings_.scale = next_scale(ui.scale(), false);
-      break;
-    case UiAction::kScaleReset:
-      settings_.scale = 1.0F;
-      break;
-    case UiAction::kSwitchTheme:
-      settings_.dark = !settings_.dark;
-      break;
-    case UiAction::kResetLayout:
-      settings_.layout() = default_layout(settings_.workspace);
-      break;
-    case UiAction::kMaximise:
-      maximised_ = maximised_ ? std::nullopt : std::optional(pointed_);
-      break;
-    case UiAction::kCopyCommand:
-      result.clipboard = status_.last_command;
-      break;
-  }
+bool Shell::open_form(UiAction action) {
+  const auto opened = [](Form& form) {
+    form.open();
+    return true;
+  };
+  if (action == UiAction::kShowRecord) return opened(record_);
+  if (action == UiAction::kShowExportVideo) return opened(video_);
+  if (action == UiAction::kShowExportField) return opened(field_);
+  if (action == UiAction::kShowShortcuts) return opened(shortcuts_);
+  if (action == UiAction::kShowAbout) return opened(about_);
+  if (action == UiAction::kNewProject) file_.open_new();
+  if (action == UiAction::kOpenProject) file_.open_existing();
+  if (action == UiAction::kShowPalette) palette_.open();
+  return action == UiAction::kNewProject || action == UiAction::kOpenProject || action == UiAction::kShowPalette;
+}
+
+void Shell::act(UiAction action, const Ui& ui, const WorkbenchState& state, ShellResult& result) {
   result.restyle = true;
+  if (open_form(action)) return;
+  if (action == UiAction::kQuit && something_runs(state)) return quit_.open();
+  if (action == UiAction::kQuit || action == UiAction::kQuitNow) result.quit = true;
+  if (action == UiAction::kScaleUp) settings_.scale = next_scale(ui.scale(), true);
+  if (action == UiAction::kScaleDown) settings_.scale = next_scale(ui.scale(), false);
+  if (action == UiAction::kScaleReset) settings_.scale = 1.0F;
+  if (action == UiAction::kSwitchTheme) settings_.theme = next(settings_.theme);
+  if (action == UiAction::kResetLayout) settings_.layout() = default_layout(settings_.workspace);
+  if (action == UiAction::kMaximise) maximised_ = maximised_ ? std::nullopt : std::optional(pointed_);
+  if (action == UiAction::kCopyCommand) result.clipboard = status_.last_command;
 }
 
 void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState& state, ShellResult& result) {
@@ -270,13 +278,10 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
       if (const auto* open = std::get_if<workbench::OpenProject>(asked)) add_recent(settings_, open->path);
       result.commands.push_back(*asked);
     } else if (const auto* action = std::get_if<UiAction>(&request)) {
-      act(*action, ui, result);
+      act(*action, ui, state, result);
     } else if (const auto* panel = std::get_if<ShowPanel>(&request)) {
       maximised_.reset();
-      Tile* tile = find_panel(settings_.layout(), panel->panel);
-      if (tile == nullptr) continue;
-      const auto at = std::find(tile->panels.begin(), tile->panels.end(), panel->panel);
-      tile->active = static_cast<int>(at - tile->panels.begin());
+      bring_to_front(panel->panel);
     } else if (const auto* workspace = std::get_if<ShowWorkspace>(&request)) {
       maximised_.reset();
       settings_.workspace = workspace->workspace;
@@ -284,9 +289,10 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
   }
 }
 
-ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz) {
+ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz, bool close_asked) {
   status_.hint = ui.hint();
   Requests requests = take_keys(ui, state);
+  if (close_asked) requests.emplace_back(UiAction::kQuit);
   append(requests, draw_host(ui, state, frames_hz));
   append(requests, draw_forms(ui, state));
   close_popups_on_escape(ui);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "ui/forms/export_forms.h"
 #include "ui/forms/file_form.h"
 #include "ui/forms/help_forms.h"
+#include "ui/forms/quit_form.h"
 #include "ui/forms/record_form.h"
 #include "ui/palette.h"
 #include "ui/panel.h"
@@ -32,7 +34,8 @@ class Shell {
   explicit Shell(Settings& settings);
 
   /// Draws one frame between ImGui's NewFrame and Render.
-  ShellResult draw(Ui& ui, const WorkbenchState& state, double frames_hz);
+  /// `close_asked`: somebody wants the window to close.
+  ShellResult draw(Ui& ui, const WorkbenchState& state, double frames_hz, bool close_asked);
   /// Of the last command that has a text, for the status line.
   const std::string& last_command() const { return status_.last_command; }
 
@@ -40,10 +43,14 @@ class Shell {
   Requests draw_host(Ui& ui, const WorkbenchState& state, double frames_hz);
   void draw_tiles(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests);
   void draw_tile(Ui& ui, const WorkbenchState& state, const PlacedTile& placed, Requests& requests);
-  void draw_tabs(Ui& ui, Tile& tile, const Rect& rect);
+  void draw_tabs(Ui& ui, const Tile& tile, const Rect& rect);
+  void bring_to_front(PanelId panel);
+  void choose_front(Tile& tile) const;
   Requests draw_forms(Ui& ui, const WorkbenchState& state);
   Requests take_keys(Ui& ui, const WorkbenchState& state) const;
-  void act(UiAction action, const Ui& ui, ShellResult& result);
+  /// True if the action opens a form, which is then open.
+  bool open_form(UiAction action);
+  void act(UiAction action, const Ui& ui, const WorkbenchState& state, ShellResult& result);
   void resolve(const Requests& requests, const Ui& ui, const WorkbenchState& state, ShellResult& result);
   bool form_open() const;
 
@@ -55,9 +62,12 @@ class Shell {
   FieldForm field_;
   ShortcutForm shortcuts_;
   AboutForm about_;
+  QuitForm quit_;
   Palette palette_;
   StatusLine status_;
   std::optional<PanelId> maximised_;
+  std::array<std::uint64_t, kPanelCount> fronted_{};  ///< The larger, the later a panel was brought to the front.
+  std::uint64_t front_counter_ = 1;
   PanelId pointed_ = PanelId::kView;  ///< Under the mouse.
 };
 

@@ -4,6 +4,9 @@
 #include <cmath>
 
 namespace trocar::ui {
+namespace {
+
+constexpr std::array<std::string_view, 3> kThemeNames{"dark", "light", "high-contrast"};
 
 Theme dark_theme() {
   Theme theme;
@@ -53,6 +56,60 @@ Theme light_theme() {
   theme.danger = {184, 38, 38, 255};
   theme.danger_fill = {193, 48, 52, 255};
   return theme;
+}
+
+Theme high_contrast_theme() {
+  Theme theme;
+  theme.dark = true;
+  theme.outlined = true;
+  theme.ground = {70, 70, 70, 255};
+  theme.panel = {0, 0, 0, 255};
+  theme.header = {0, 0, 0, 255};
+  theme.raised = {0, 0, 0, 255};
+  theme.hover = {0, 60, 110, 255};
+  theme.pressed = {0, 40, 80, 255};
+  theme.line = {170, 170, 170, 255};
+  theme.text = {255, 255, 255, 255};
+  theme.text_dim = {225, 225, 225, 255};
+  theme.text_disabled = {150, 150, 150, 255};
+  theme.accent = {255, 214, 0, 255};
+  theme.accent_fill = {255, 214, 0, 255};
+  theme.accent_hover = {255, 231, 110, 255};
+  theme.on_accent = {0, 0, 0, 255};
+  theme.selection = {0, 62, 120, 255};
+  theme.good = {105, 240, 130, 255};
+  theme.warning = {255, 196, 64, 255};
+  theme.danger = {255, 138, 128, 255};
+  theme.danger_fill = {255, 138, 128, 255};
+  return theme;
+}
+
+}  // namespace
+
+std::string_view name_of(ThemeKind kind) {
+  return kThemeNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<ThemeKind> theme_from(std::string_view name) {
+  const auto* found = std::find(kThemeNames.begin(), kThemeNames.end(), name);
+  if (found == kThemeNames.end()) return std::nullopt;
+  return static_cast<ThemeKind>(found - kThemeNames.begin());
+}
+
+ThemeKind next(ThemeKind kind) {
+  return static_cast<ThemeKind>((static_cast<std::size_t>(kind) + 1) % kThemeKinds.size());
+}
+
+Theme make_theme(ThemeKind kind) {
+  switch (kind) {
+    case ThemeKind::kDark:
+      return dark_theme();
+    case ThemeKind::kLight:
+      return light_theme();
+    case ThemeKind::kHighContrast:
+      return high_contrast_theme();
+  }
+  return dark_theme();
 }
 
 Rgba segment_colour(demonstration::Segment segment) {
@@ -156,6 +213,7 @@ double contrast(Rgba a, Rgba b) {
 void apply(const Theme& theme, float scale, ImGuiStyle& style) {
   style = ImGuiStyle();
   set_shapes(scale, style);
+  if (theme.outlined) style.FrameBorderSize = 1;
   if (theme.dark) {
     ImGui::StyleColorsDark(&style);
   } else {
@@ -169,6 +227,7 @@ void apply(const Theme& theme, float scale, ImGuiStyle& style) {
   set(ImGuiCol_ChildBg, clear);
   set(ImGuiCol_PopupBg, theme.dark ? mix(theme.panel, theme.raised, 0.5F) : theme.panel);
   set(ImGuiCol_Border, theme.line);
+  set(ImGuiCol_BorderShadow, clear);
   set(ImGuiCol_FrameBg, theme.raised);
   set(ImGuiCol_FrameBgHovered, theme.hover);
   set(ImGuiCol_FrameBgActive, theme.hover);

@@ -1,7 +1,12 @@
-/// Colours, spacing and shapes of the window: one dark and one light theme, one accent.
+/// Colours, spacing and shapes of the window: a dark, a light and a high-contrast theme, one accent each.
 #pragma once
 
 #include <imgui.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "engine/core/image.h"
 #include "engine/demonstration/recording.h"
@@ -11,18 +16,19 @@ namespace trocar::ui {
 /// Every colour that a panel may use. Text on its ground has a contrast of at least 4.5:1 (a unit test measures it).
 struct Theme {
   bool dark = true;
-  Rgba ground;         ///< Between the tiles.
-  Rgba panel;          ///< Of a tile.
-  Rgba header;         ///< Strip of tabs, table heads, menu bar.
-  Rgba raised;         ///< Fields and quiet buttons.
-  Rgba hover;          ///< Raised under the pointer.
-  Rgba pressed;        ///< Raised while pressed.
-  Rgba line;           ///< Thin borders and dividers.
-  Rgba text;           ///< What is read.
-  Rgba text_dim;       ///< What explains.
-  Rgba text_disabled;  ///< What cannot be used now.
-  Rgba accent;         ///< Selection, playhead, focus.
-  Rgba accent_fill;    ///< Ground of the one main button; carries `on_accent`.
+  bool outlined = false;  ///< Every control has a border that can be seen.
+  Rgba ground;            ///< Between the tiles.
+  Rgba panel;             ///< Of a tile.
+  Rgba header;            ///< Strip of tabs, table heads, menu bar.
+  Rgba raised;            ///< Fields and quiet buttons.
+  Rgba hover;             ///< Raised under the pointer.
+  Rgba pressed;           ///< Raised while pressed.
+  Rgba line;              ///< Thin borders and dividers.
+  Rgba text;              ///< What is read.
+  Rgba text_dim;          ///< What explains.
+  Rgba text_disabled;     ///< What cannot be used now.
+  Rgba accent;            ///< Selection, playhead, focus.
+  Rgba accent_fill;       ///< Ground of the one main button; carries `on_accent`.
   Rgba accent_hover;
   Rgba on_accent;
   Rgba selection;  ///< Ground of the selected row.
@@ -32,8 +38,16 @@ struct Theme {
   Rgba danger_fill;  ///< Ground of the recording banner; carries `on_accent`.
 };
 
-Theme dark_theme();
-Theme light_theme();
+enum class ThemeKind : std::uint8_t { kDark, kLight, kHighContrast };
+constexpr std::array<ThemeKind, 3> kThemeKinds{ThemeKind::kDark, ThemeKind::kLight, ThemeKind::kHighContrast};
+/// "dark", "light", "high-contrast".
+std::string_view name_of(ThemeKind kind);
+std::optional<ThemeKind> theme_from(std::string_view name);
+/// The one after it, round and round.
+ThemeKind next(ThemeKind kind);
+Theme make_theme(ThemeKind kind);
+/// How much of its colour the ground of a badge has.
+constexpr float kBadgeTint = 0.1F;
 
 /// A colour for a segment; always shown together with its letter.
 Rgba segment_colour(demonstration::Segment segment);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
@@ -34,21 +35,97 @@ Tile split(Tile::Kind kind, std::vector<float> shares, std::vector<Tile> childre
   return tile;
 }
 
-void place_into(Tile& tile, const Rect& rect, float gap, Placement& out) {
+void collect_panels(const Tile& tile, std::vector<PanelId>& panels) {
+  panels.insert(panels.end(), tile.panels.begin(), tile.panels.end());
+  for (const Tile& child : tile.children) collect_panels(child, panels);
+}
+
+struct Group {
+  std::vector<Tile*> tiles;  ///< More than one: too little room, they become one tab group.
+  float share = 0.0F;
+  std::size_t panels = 0;
+};
+
+std::vector<Group> groups_of(Tile& tile, float room, float gap, float least) {
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < tile.children.size(); ++i) {
+    std::vector<PanelId> panels;
+    collect_panels(tile.children[i], panels);
+    groups.push_back({{&tile.children[i]}, tile.shares[i], panels.size()});
+  }
+  const auto fits = [&] { return static_cast<float>(groups.size()) * (least + gap) - gap <= room; };
+  while (groups.size() > 1 && !fits()) {
+    // The neighbours that have the fewest panels together; of equals those at the end.
+    std::size_t best = 0;
+    for (std::size_t i = 1; i + 1 < groups.size(); ++i) {
+      const std::size_t both = groups[i].panels + groups[i + 1].panels;
+      if (both <= groups[best].panels + groups[best + 1].panels) best = i;
+    }
+    Group& into = groups[best];
+    const Group& from = groups[best + 1];
+    into.tiles.insert(into.tiles.end(), from.tiles.begin(), from.tiles.end());
+    into.share += from.share;
+    into.panels += from.panels;
+    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+  }
+  return groups;
+}
+
+// What each group gets of `room`: its share, but at least `least`, at the cost of those that have more.
+std::vector<float> sizes_of(const std::vector<Group>& groups, float room, float least) {
+  std::vector<float> sizes(groups.size(), 0.0F);
+  std::vector<bool> held(groups.size(), false);
+  float left = room;
+  for (bool again = true; again;) {
+    again = false;
+    float shares = 0.0F;
+    for (std::size_t i = 0; i < groups.size(); ++i) shares += held[i] ? 0.0F : groups[i].share;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (held[i]) continue;
+      sizes[i] = left * groups[i].share / shares;
+      if (sizes[i] >= least || groups.size() == 1) continue;
+      sizes[i] = least;
+      held[i] = again = true;
+      left -= least;
+      break;
+    }
+  }
+  return sizes;
+}
+
+void place_into(Tile& tile, const Rect& rect, const PlaceOptions& options, Placement& out);
+
+void place_group(const Group& group, const Rect& rect, const PlaceOptions& options, Placement& out) {
+  if (group.tiles.size() == 1) return place_into(*group.tiles.front(), rect, options, out);
+  auto merged = std::make_unique<Tile>();
+  for (const Tile* tile : group.tiles) collect_panels(*tile, merged->panels);
+  out.tiles.push_back({merged.get(), rect, true});
+  out.merged.push_back(std::move(merged));
+}
+
+void place_into(Tile& tile, const Rect& rect, const PlaceOptions& options, Placement& out) {
   if (tile.kind == Tile::Kind::kTabs) {
-    out.tiles.push_back({&tile, rect});
+    out.tiles.push_back({&tile, rect, false});
     return;
   }
   const bool row = tile.kind == Tile::Kind::kRow;
-  const auto count = tile.children.size();
-  const float room = (row ? rect.width() : rect.height()) - gap * static_cast<float>(count - 1);
+  const float gap = options.gap;
+  const float least = row ? options.least_width : options.least_height;
+  const float whole = row ? rect.width() : rect.height();
+  const std::vector<Group> groups = groups_of(tile, whole, gap, least);
+  const auto count = groups.size();
+  const std::vector<float> sizes = sizes_of(groups, whole - gap * static_cast<float>(count - 1), least);
   std::vector<float> edges{row ? rect.x0 : rect.y0};
   for (std::size_t i = 0; i < count; ++i) {
     const bool last = i + 1 == count;
-    const float end = last ? (row ? rect.x1 : rect.y1) : std::round(edges.back() + room * tile.shares[i]);
+    const float end = last ? (row ? rect.x1 : rect.y1) : std::round(edges.back() + sizes[i]);
     const Rect child = row ? Rect{edges.back(), rect.y0, end, rect.y1} : Rect{rect.x0, edges.back(), rect.x1, end};
-    place_into(tile.children[i], child, gap, out);
+    place_group(groups[i], child, options, out);
     edges.push_back(end + gap);
+  }
+  if (count < tile.children.size()) {
+    // Shares of tiles that are not apart now cannot be dragged; the gaps between the groups stay gaps.
+    return;
   }
   for (std::size_t i = 0; i + 1 < count; ++i) {
     const float low = edges[i + 1] - gap;
@@ -126,15 +203,16 @@ std::string_view title(Workspace workspace) {
   return kWorkspaceTitles[static_cast<std::size_t>(workspace)];
 }
 
-Placement place(Tile& root, const Rect& rect, float gap) {
+Placement place(Tile& root, const Rect& rect, const PlaceOptions& options) {
   Placement placement;
-  place_into(root, rect, gap, placement);
+  place_into(root, rect, options, placement);
   return placement;
 }
 
 void move_splitter(const PlacedSplitter& splitter, float position, float smallest) {
   const float room = splitter.end - splitter.begin;
   if (room <= 2.0F * smallest) return;
+  // A neighbour at its least size may have a smaller share than it shows; both are set anew.
   const float at = std::clamp(position - splitter.begin, smallest, room - smallest) / room;
   float& first = splitter.parent->shares[static_cast<std::size_t>(splitter.index)];
   float& second = splitter.parent->shares[static_cast<std::size_t>(splitter.index) + 1];
@@ -169,7 +247,7 @@ Tile default_layout(Workspace workspace) {
     case Workspace::kAuthor:
       return split(row, {0.245F, 0.515F, 0.24F},
                    {split(column, {0.64F, 0.36F}, {tabs({kLibrary}), tabs({kHistory, kJobs, kLog})}),
-                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline})}),
+                    split(column, {0.645F, 0.355F}, {tabs({kView}), tabs({kTimeline})}),
                     tabs({kInspector, kTrain, kFields, kRollouts})});
     case Workspace::kFields:
       return split(row, {0.235F, 0.405F, 0.36F},

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,7 @@ struct Tile {
 struct PlacedTile {
   Tile* tile = nullptr;
   Rect rect;
+  bool merged = false;  ///< Made of several tab groups for want of room; `tile` is not in the tree.
 };
 struct PlacedSplitter {
   Tile* parent = nullptr;
@@ -58,10 +60,18 @@ struct PlacedSplitter {
 struct Placement {
   std::vector<PlacedTile> tiles;
   std::vector<PlacedSplitter> splitters;
+  std::vector<std::unique_ptr<Tile>> merged;
 };
 
-/// Where everything lies when the tree fills `rect`, `gap` pixels apart. Pointers are into `root`.
-Placement place(Tile& root, const Rect& rect, float gap);
+/// All in pixels.
+struct PlaceOptions {
+  float gap = 4.0F;
+  float least_width = 0.0F;  ///< Of a tile; neighbours that would get less become one tab group.
+  float least_height = 0.0F;
+};
+
+/// Where everything lies when the tree fills `rect`. Pointers are into `root` and into the placement.
+Placement place(Tile& root, const Rect& rect, const PlaceOptions& options);
 /// Moves a splitter to `position`; both neighbours keep at least `smallest` pixels.
 void move_splitter(const PlacedSplitter& splitter, float position, float smallest);
 /// Gives all children of the splitter's parent the same share.

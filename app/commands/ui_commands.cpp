@@ -14,6 +14,7 @@ struct UiArguments {
   std::string screenshot;
   std::string size = "1600x900";
   double scale = 1.0;
+  std::string theme = "dark";
   bool light = false;
   std::string out;
 };
@@ -25,7 +26,10 @@ void bind_common(CLI::App& verb, UiArguments& arguments) {
   verb.add_option("--scale", arguments.scale, "Size of text and controls")
       ->check(CLI::Range(0.75, 3.0))
       ->capture_default_str();
-  verb.add_flag("--light", arguments.light, "The light theme");
+  verb.add_option("--theme", arguments.theme, "Colours of the window")
+      ->check(CLI::IsMember({"dark", "light", "high-contrast"}))
+      ->capture_default_str();
+  verb.add_flag("--light", arguments.light, "The same as --theme light");
 }
 
 void bind_run(CLI::App& verb, UiArguments& arguments) {
@@ -52,7 +56,7 @@ Result<ui::UiRunOptions> options_of(const UiArguments& arguments, const Progress
   options.width = size.first;
   options.height = size.second;
   options.scale = arguments.scale;
-  options.dark = !arguments.light;
+  options.theme = arguments.light ? ui::ThemeKind::kLight : *ui::theme_from(arguments.theme);
   return options;
 }
 
@@ -66,7 +70,7 @@ Result<Answer> run_run(const UiArguments& arguments, Console& console) {
                  {"first_frame_s", report.first_frame_s},
                  {"width", options.width},
                  {"height", options.height}};
-  answer.summary = fmt::format("{} acts, {} frames, {}", report.lines, report.frames,
+  answer.summary = fmt::format("{}, {}", counted(static_cast<std::size_t>(report.lines), "act"),
                                counted(static_cast<std::size_t>(report.screenshots), "screenshot"));
   return answer;
 }

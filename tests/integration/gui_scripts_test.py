@@ -41,6 +41,20 @@ class RealWindowTest(CommandLineTest):
         return subprocess.run(["xdotool", *arguments], capture_output=True, text=True, timeout=60,
                               env={**os.environ, "DISPLAY": self.display})
 
+    def test_a_window_that_is_told_to_end_ends_in_order(self):
+        environment = {**os.environ, "DISPLAY": self.display, "XDG_CONFIG_HOME": str(self.folder)}
+        project = self.recorded_project()
+        window = subprocess.Popen([WORKBENCH, project], env=environment)
+        self.addCleanup(window.kill)
+        deadline = time.monotonic() + 60
+        # Its title names the project once it runs.
+        name = pathlib.Path(project).name
+        while window.poll() is None and not self.xdotool("search", "--name", name).stdout.strip():
+            self.assertLess(time.monotonic(), deadline, "no window appeared")
+            time.sleep(0.2)
+        window.terminate()
+        self.assertEqual(window.wait(timeout=60), 0)
+
     def test_a_window_opens_and_closes_on_its_key(self):
         environment = {**os.environ, "DISPLAY": self.display, "XDG_CONFIG_HOME": str(self.folder)}
         window = subprocess.Popen([WORKBENCH, self.recorded_project()], env=environment)

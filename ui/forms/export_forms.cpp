@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
+#include <system_error>
 
 #include "ui/command_table.h"
 #include "ui/icons.h"
@@ -14,6 +16,16 @@ std::string beside(const WorkbenchState& state, std::string_view ending) {
   std::filesystem::path path = state.path;
   path.replace_extension();
   return path.string() + std::string(ending);
+}
+
+// Says so before a file is replaced.
+bool export_button(Ui& ui, const char* sign, const std::string& path, const std::string& reason) {
+  std::error_code error;
+  const bool exists = !path.empty() && std::filesystem::exists(path, error);
+  if (exists) wrapped_text(ui, "There is such a file already", ui.theme().warning);
+  return button(
+      ui, exists ? "Replace the file" : "Export",
+      {.icon = sign, .reason = reason, .width = -1.0F, .style = exists ? ButtonStyle::kDanger : ButtonStyle::kPrimary});
 }
 
 }  // namespace
@@ -48,8 +60,7 @@ Requests VideoForm::draw_content(Ui& ui, const WorkbenchState& state) {
   combo(ui, "Beside", beside_, others, {.help = "A second demonstration, side by side"});
   ImGui::Dummy({0.0F, ui.px(6)});
   const std::string reason = path_.empty() ? "Type a file name" : command("file.export_video").reason_now(state);
-  if (!button(ui, "Export", {.icon = icon::kFilm, .reason = reason, .width = -1.0F, .style = ButtonStyle::kPrimary}))
-    return {};
+  if (!export_button(ui, icon::kFilm, path_, reason)) return {};
   workbench::ExportVideo video;
   video.demonstrations = {state.demonstration};
   if (beside_ > 0) video.demonstrations.push_back(ids[static_cast<std::size_t>(beside_)]);
@@ -81,9 +92,7 @@ Requests FieldForm::draw_content(Ui& ui, const WorkbenchState& state) {
   text_field(ui, "File", path_, "field.png", {.help = ".png or .svg draws; .csv or .npy holds the numbers"});
   ImGui::Dummy({0.0F, ui.px(6)});
   const std::string reason = path_.empty() ? "Type a file name" : command("file.export_field").reason_now(state);
-  if (!button(ui, "Export",
-              {.icon = icon::kDownload, .reason = reason, .width = -1.0F, .style = ButtonStyle::kPrimary}))
-    return {};
+  if (!export_button(ui, icon::kDownload, path_, reason)) return {};
   close();
   return {workbench::Command{
               workbench::ExportField{state.model, state.field.layer, kind_ == 0 ? std::string() : slice_, path_}},

@@ -56,7 +56,8 @@ void FileForm::draw_list(Ui& ui) {
     const bool clicked = selectable_row(ui, name, selected, "", {.height = ui.px(26)});
     const ImVec2 after = ImGui::GetCursorPos();
     ImGui::SetCursorPos({at.x + ui.px(8), at.y + ui.px(4)});
-    ImGui::TextUnformatted((std::string(sign) + "   " + fitted(name, ui.px(440))).c_str());
+    ImGui::TextUnformatted(
+        (std::string(sign) + "   " + fitted(name, ImGui::GetContentRegionAvail().x - ui.px(44))).c_str());
     ImGui::SetCursorPos(after);
     return clicked;
   };
@@ -88,11 +89,17 @@ std::string FileForm::reason() const {
 }
 
 Requests FileForm::draw_content(Ui& ui, const WorkbenchState&) {
-  small_text(ui, shown_path(folder_), ui.theme().text_dim);
+  const std::string folder = shown_path(folder_);
+  {
+    const FontScope font(ui.fonts().small);
+    const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
+    ImGui::TextUnformatted(fitted(folder, ImGui::GetContentRegionAvail().x).c_str());
+    note_item(ui, "text", "Folder", folder, {.help = folder});
+  }
   const float below = 2.0F * ImGui::GetFrameHeightWithSpacing() + ui.px(6);
   {
     const ColourScope ground(ImGuiCol_ChildBg, ui.theme().panel);
-    ImGui::BeginChild("files", {0.0F, ImGui::GetContentRegionAvail().y - below});
+    ImGui::BeginChild("files", {0.0F, std::max(ImGui::GetContentRegionAvail().y - below, ui.px(90))});
     draw_list(ui);
     ImGui::EndChild();
   }

@@ -26,6 +26,7 @@ class Form {
  private:
   bool open_ = false;
   bool opened_ = false;
+  float last_height_ = 0.0F;  ///< As drawn, pixels.
 };
 
 }  // namespace trocar::ui

@@ -38,7 +38,7 @@ JobWords words_of(const Theme& theme, JobState state) {
   return {icon::kInfo, "", theme.text};
 }
 
-void draw_job(Ui& ui, const JobView& job, Requests& requests) {
+void draw_job(Ui& ui, const JobView& job, const std::string& name, Requests& requests) {
   const JobWords words = words_of(ui.theme(), job.state);
   const bool alive = job.state == JobState::kQueued || job.state == JobState::kRunning;
   const float left = ImGui::GetCursorPosX();
@@ -53,7 +53,8 @@ void draw_job(Ui& ui, const JobView& job, Requests& requests) {
       job.state == JobState::kRunning ? std::to_string(static_cast<int>(100.0 * job.fraction)) + " %" : words.words;
   const float tail = ImGui::CalcTextSize(percentage.c_str()).x + (alive ? ui.px(40) : 0.0F);
   ImGui::TextUnformatted(fitted(job.title, right - left - ui.px(34) - tail).c_str());
-  note_item(ui, "row", job.title, words.words, {.help = job.title});
+  note_item(ui, "text", name, words.words, {.help = job.title});
+  const Scope scope(ui, name);
   ImGui::SameLine(right - tail);
   {
     const ColourScope colour(ImGuiCol_Text, words.colour);
@@ -68,7 +69,7 @@ void draw_job(Ui& ui, const JobView& job, Requests& requests) {
     }
   }
   if (job.state == JobState::kRunning) {
-    progress_bar(ui, job.title, job.fraction, right - left);
+    progress_bar(ui, "Progress", job.fraction, right - left);
     ui.animate();
   }
   if (!job.message.empty()) {
@@ -86,9 +87,10 @@ Requests JobsPanel::draw(Ui& ui, const WorkbenchState& state) {
     empty_state(ui, icon::kTasks, "", "Nothing runs. Trainings, checks and exports appear here", {});
     return requests;
   }
+  UniqueNames unique;
   for (const JobView& job : state.jobs) {
     ImGui::PushID(static_cast<int>(job.id.value));
-    draw_job(ui, job, requests);
+    draw_job(ui, job, unique(job.title), requests);
     ImGui::PopID();
   }
   return requests;
@@ -101,6 +103,7 @@ Requests LogPanel::draw(Ui& ui, const WorkbenchState& state) {
   }
   const FontScope font(ui.fonts().mono);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(3)});
+  UniqueNames unique;
   for (const workbench::LogLine& line : state.log) {
     {
       const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
@@ -111,7 +114,17 @@ Requests LogPanel::draw(Ui& ui, const WorkbenchState& state) {
                         : line.severity == workbench::Severity::kWarning ? ui.theme().warning
                                                                          : ui.theme().text;
     const char* sign = line.severity == workbench::Severity::kInfo ? "" : icon::kWarning;
-    wrapped_text(ui, *sign == '\0' ? line.text : std::string(sign) + " " + line.text, colour);
+    {
+      const ColourScope tint(ImGuiCol_Text, colour);
+      if (*sign != '\0') {
+        ImGui::TextUnformatted(sign);
+        ImGui::SameLine(0.0F, ui.px(6));
+      }
+      ImGui::PushTextWrapPos(0.0F);
+      ImGui::TextUnformatted(line.text.c_str());
+      ImGui::PopTextWrapPos();
+      note_item(ui, "text", unique(line.text), "", {});
+    }
   }
   ImGui::PopStyleVar();
   if (state.log.size() != seen_) ImGui::SetScrollHereY(1.0F);
@@ -133,11 +146,12 @@ std::set<std::int64_t> line_to_head(const WorkbenchState& state) {
   return line;
 }
 
-bool draw_node(Ui& ui, const std::string& label, std::string_view time, bool head, bool on_line) {
+bool draw_node(Ui& ui, const std::string& label, const std::string& name, std::string_view time, bool head,
+               bool on_line) {
   const float height = ui.px(26);
   const ImVec2 at = ImGui::GetCursorPos();
-  const bool clicked = selectable_row(ui, label, head, head ? "HEAD" : "",
-                                      {.help = "Go to this state; nothing is lost", .height = height});
+  const std::string help = label + ": go to this state; nothing is lost";
+  const bool clicked = selectable_row(ui, name, head, head ? "HEAD" : "", {.help = help, .height = height});
   const Rect rect = item_rect();
   const ImVec2 next = ImGui::GetCursorPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -183,15 +197,17 @@ Requests HistoryPanel::draw(Ui& ui, const WorkbenchState& state) {
   }
   const std::set<std::int64_t> line = line_to_head(state);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0.0F});
+  UniqueNames unique;
   for (auto it = state.history.rbegin(); it != state.history.rend(); ++it) {
     ImGui::PushID(static_cast<int>(it->id));
     const std::string& label = it->description.empty() ? it->name : it->description;
-    if (draw_node(ui, label, clock_of(it->time), it->id == state.head, line.contains(it->id)) && it->id != state.head) {
+    if (draw_node(ui, label, unique(label), clock_of(it->time), it->id == state.head, line.contains(it->id)) &&
+        it->id != state.head) {
       requests.emplace_back(Command{workbench::GoToHistory{it->id}});
     }
     ImGui::PopID();
   }
-  if (draw_node(ui, "Empty project", "", state.head == 0, true) && state.head != 0) {
+  if (draw_node(ui, "Empty project", unique("Empty project"), "", state.head == 0, true) && state.head != 0) {
     requests.emplace_back(Command{workbench::GoToHistory{0}});
   }
   ImGui::PopStyleVar();

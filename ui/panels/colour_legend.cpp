@@ -68,6 +68,9 @@ void colour_legend(Ui& ui, const FieldShading& shading, double marked) {
     draw_classes(ui, shading);
     return;
   }
+  const std::string& unit = shading.field().unit;
+  small_text(ui, shading.field().title + (unit.empty() ? "" : ", " + unit), ui.theme().text_dim);
+  ImGui::Dummy({0.0F, ui.px(2)});
   const float height = ui.px(12);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect bar{at.x, at.y, at.x + ImGui::GetContentRegionAvail().x, at.y + height};

@@ -13,12 +13,24 @@ namespace trocar::ui {
 bool draw_no_project(Ui& ui, const WorkbenchState& state) {
   using workbench::LoadState;
   if (state.load == LoadState::kReady && state.project != nullptr) return false;
-  const std::string_view sentence = state.load == LoadState::kLoading  ? "Opening the project"
-                                    : state.load == LoadState::kFailed ? "The project could not be opened"
-                                                                       : "No project is open";
-  empty_state(ui, "", "", sentence, {});
+  // What went wrong and what can be done is said once, in the view.
+  if (state.load == LoadState::kLoading) empty_state(ui, "", "", "Opening the project", {});
   return true;
 }
+
+namespace {
+
+void draw_open_error(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const std::array<EmptyStateAction, 3> actions{{{"Retry", icon::kRefresh, {}, "Open the same file again"},
+                                                 {"Open project…", icon::kFolder, {}, "Open another project file"},
+                                                 {"Show log", icon::kList, {}, "Everything that was reported"}}};
+  const int clicked = empty_state(ui, icon::kWarning, "The project could not be opened", state.load_error, actions);
+  if (clicked == 0) requests.emplace_back(workbench::Command{workbench::OpenProject{state.path, false}});
+  if (clicked == 1) requests.emplace_back(UiAction::kOpenProject);
+  if (clicked == 2) requests.emplace_back(ShowPanel{PanelId::kLog});
+}
+
+}  // namespace
 
 bool draw_welcome(Ui& ui, const WorkbenchState& state, Requests& requests) {
   using workbench::LoadState;
@@ -29,15 +41,14 @@ bool draw_welcome(Ui& ui, const WorkbenchState& state, Requests& requests) {
     ui.animate();
     return true;
   }
+  if (state.load == LoadState::kFailed) {
+    draw_open_error(ui, state, requests);
+    return true;
+  }
   const std::array<EmptyStateAction, 2> actions{{{"New project…", icon::kFile, {}, "Make an empty project file"},
                                                  {"Open project…", icon::kFolder, {}, "Open a project file"}}};
-  int clicked = -1;
-  if (state.load == LoadState::kFailed) {
-    clicked = empty_state(ui, icon::kWarning, "The project could not be opened", state.load_error, actions);
-  } else {
-    clicked = empty_state(ui, icon::kFolder, "No project is open",
-                          "Demonstrations, models and their history live in one file", actions);
-  }
+  const int clicked = empty_state(ui, icon::kFolder, "No project is open",
+                                  "Demonstrations, models and their history live in one file", actions);
   if (clicked == 0) requests.emplace_back(UiAction::kNewProject);
   if (clicked == 1) requests.emplace_back(UiAction::kOpenProject);
   return true;
@@ -106,11 +117,13 @@ Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome) {
 }
 
 std::string outcome_words(const demonstration::Recording& recording) {
-  if (recording.outcome == demonstration::Outcome::kSuccess) {
-    return std::string(icon::kVerify) + (recording.placed ? " placed" : " success");
-  }
-  const char* sign = recording.outcome == demonstration::Outcome::kUnfinished ? icon::kClock : icon::kCross;
-  return std::string(sign) + " " + std::string(demonstration::to_string(recording.outcome));
+  if (recording.outcome == demonstration::Outcome::kSuccess) return recording.placed ? "placed" : "success";
+  return std::string(demonstration::to_string(recording.outcome));
+}
+
+const char* outcome_sign(demonstration::Outcome outcome) {
+  if (outcome == demonstration::Outcome::kSuccess) return icon::kVerify;
+  return outcome == demonstration::Outcome::kUnfinished ? icon::kClock : icon::kCross;
 }
 
 std::string provenance_words(const demonstration::Provenance& provenance) {

@@ -8,7 +8,7 @@
 
 namespace trocar::ui {
 
-/// Where no project is ready: says so in a line and returns true.
+/// Where no project is ready: true, and little is drawn; `draw_welcome` says why.
 bool draw_no_project(Ui& ui, const WorkbenchState& state);
 /// The same at length, once in the window: empty, loading or error, with what can be done about it.
 bool draw_welcome(Ui& ui, const WorkbenchState& state, Requests& requests);
@@ -23,8 +23,9 @@ void segment_chip(Ui& ui, demonstration::Segment segment, bool present, float si
 void segment_chips(Ui& ui, const demonstration::Demonstration& shown, float size);
 
 Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome);
-/// "placed", "dropped" …: the outcome in one word, with its sign.
+/// "placed", "dropped" …: the outcome in one word; its sign makes it more than a colour.
 std::string outcome_words(const demonstration::Recording& recording);
+const char* outcome_sign(demonstration::Outcome outcome);
 /// "scripted expert", "imported".
 std::string provenance_words(const demonstration::Provenance& provenance);
 

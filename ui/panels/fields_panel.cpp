@@ -19,6 +19,8 @@ namespace {
 using workbench::Command;
 using workbench::SetField;
 
+constexpr float kLeastSlice = 160.0F;  // Pixels at 100 %.
+
 constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
 
 int& coordinate(spatial::CellCoordinates& cell, int axis) {
@@ -47,6 +49,21 @@ std::string explored_words(std::uint8_t tried) {
   return tried == 0 ? "no action tried" : fmt::format("{} of 6 actions tried", std::popcount(tried));
 }
 
+// Layers that the probe always shows.
+bool has_own_row(learning::Layer layer) {
+  using enum learning::Layer;
+  constexpr std::array<learning::Layer, 10> kRows{kReward,  kValue,  kQPlusX,  kQMinusX, kQPlusY,
+                                                  kQMinusY, kQPlusZ, kQMinusZ, kMargin,  kVisits};
+  return std::find(kRows.begin(), kRows.end(), layer) != kRows.end();
+}
+
+// The exact method keeps expectations, in thousandths.
+std::string visits_words(const learning::Model& model, std::size_t cell) {
+  const std::uint32_t visits = model.visits[cell];
+  if (model.options.method != learning::Method::kExact) return count(visits);
+  return number(1e-3 * visits) + " expected";
+}
+
 void dot(ImVec2 at, float radius, Rgba colour, Rgba ring) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(at, radius + 1.5F, to_u32(ring), 16);
@@ -64,6 +81,9 @@ void FieldsPanel::draw_controls(Ui& ui, const WorkbenchState& state, Requests& r
   int layer = static_cast<int>(std::find(layers.begin(), layers.end(), settings.layer) - layers.begin());
   if (combo(ui, "Layer", layer, kLayers, {.help = "What is shown over the lattice"})) {
     settings.layer = layers[static_cast<std::size_t>(layer)];
+    // On a linear scale the few cells that were visited most would leave all others black.
+    const bool visits = settings.layer == learning::Layer::kVisits;
+    if (visits && settings.scale == plot::ScaleKind::kLinear) settings.scale = plot::ScaleKind::kSymlog;
     requests.emplace_back(Command{SetField{settings}});
   }
   form_label(ui, "Scale");
@@ -77,7 +97,7 @@ void FieldsPanel::draw_controls(Ui& ui, const WorkbenchState& state, Requests& r
   if (checkbox(ui, "Voxels", settings.voxels, {.help = "Draw the known cells as small cubes in the 3-D view"})) {
     requests.emplace_back(Command{SetField{settings}});
   }
-  ImGui::SameLine(0.0F, ui.px(14));
+  flow(ui.px(170), ui.px(14));
   if (slider_float(ui, "Opacity", settings.opacity, 0.05F, 1.0F, "%.2f opaque",
                    {.help = "Of the field in the 3-D view"})) {
     requests.emplace_back(Command{SetField{settings}});
@@ -162,13 +182,15 @@ void FieldsPanel::draw_slice(Ui& ui, const WorkbenchState& state, int axis, ImVe
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddImage(texture, {rect.x0, rect.y0}, {rect.x1, rect.y1});
   draw_marks(ui, state, axis, rect);
-  const FontScope font(ui.fonts().small);
-  const std::string names = fmt::format("{} →  {} ↑", kAxisNames[static_cast<std::size_t>(axes.right)],
-                                        kAxisNames[static_cast<std::size_t>(axes.up)]);
-  const ImVec2 words = ImGui::CalcTextSize(names.c_str());
-  list.AddRectFilled({rect.x0, rect.y0}, {rect.x0 + words.x + ui.px(8), rect.y0 + words.y + ui.px(4)},
-                     to_u32(ui.theme().panel, 0.8F));
-  list.AddText({rect.x0 + ui.px(4), rect.y0 + ui.px(2)}, to_u32(ui.theme().text), names.c_str());
+  {
+    const FontScope font(ui.fonts().small);
+    const std::string names = fmt::format("{} →  {} ↑", kAxisNames[static_cast<std::size_t>(axes.right)],
+                                          kAxisNames[static_cast<std::size_t>(axes.up)]);
+    const ImVec2 words = ImGui::CalcTextSize(names.c_str());
+    list.AddRectFilled({rect.x0, rect.y0}, {rect.x0 + words.x + ui.px(8), rect.y0 + words.y + ui.px(4)},
+                       to_u32(ui.theme().panel, 0.8F));
+    list.AddText({rect.x0 + ui.px(4), rect.y0 + ui.px(2)}, to_u32(ui.theme().text), names.c_str());
+  }
   workbench::FieldSettings settings = state.field;
   const bool in_view = settings.slices[i] >= 0;
   if (toggle(ui, "3-D", in_view, {.icon = icon::kEye, .help = "Show this slice in the 3-D view"})) {
@@ -199,8 +221,7 @@ void FieldsPanel::draw_probe(Ui& ui, const WorkbenchState& state) {
        fmt::format("{}, {}, {} mm", number(spatial::to_mm(p.x())), number(spatial::to_mm(p.y())),
                    number(spatial::to_mm(p.z()))));
   fact(ui, "Index", count(cell.value));
-  const bool own_row = field.layer == learning::Layer::kReward || field.layer == learning::Layer::kValue;
-  if (!own_row) fact(ui, field.title, value_words(field, field.values[flat]));
+  if (!has_own_row(field.layer)) fact(ui, field.title, value_words(field, field.values[flat]));
   fact(ui, "Reward θ", number(model.theta[flat]));
   fact(ui, "Value V", number(model.value[flat]));
   const std::uint8_t best = state.insight->policy == nullptr ? learning::kNoAction : (*state.insight->policy)[flat];
@@ -216,7 +237,7 @@ void FieldsPanel::draw_probe(Ui& ui, const WorkbenchState& state) {
   fact(ui, "Best action",
        best == learning::kNoAction ? "none" : spatial::to_string(static_cast<spatial::Action>(best)));
   fact(ui, "Margin", number(first - second));
-  fact(ui, "Visits", count(model.visits[flat]));
+  fact(ui, learning::Layer::kVisits == field.layer ? field.title : "Visits", visits_words(model, flat));
   fact(ui, "Explored", explored_words(model.tried[flat]));
   ImGui::PopStyleVar();
 }
@@ -226,15 +247,23 @@ void FieldsPanel::draw_slices(Ui& ui, const WorkbenchState& state, Requests& req
   const float gap = ui.px(10);
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float frame = ImGui::GetFrameHeightWithSpacing();
+  const float half = 0.5F * (room.x - gap);
+  if (half < ui.px(kLeastSlice)) {
+    // One below the other, the panel scrolls.
+    const float side = std::min(room.x, ui.px(280));
+    for (const int axis : {2, 0, 1}) draw_slice(ui, state, axis, {side, side + frame}, requests);
+    draw_probe(ui, state);
+    return;
+  }
   // Two by two: three slices and the probe; where the room is low, the slices shrink.
-  const float side = std::max(std::min(0.5F * (room.x - gap), 0.5F * (room.y - gap) - frame), ui.px(90));
+  const float side = std::max(std::min(half, 0.5F * (room.y - gap) - frame), ui.px(kLeastSlice));
   const ImVec2 size{side, side + frame};
   draw_slice(ui, state, 2, size, requests);
   ImGui::SameLine(0.0F, gap);
   draw_slice(ui, state, 0, size, requests);
   draw_slice(ui, state, 1, size, requests);
   ImGui::SameLine(0.0F, gap);
-  ImGui::BeginChild("probe", {0.0F, 0.0F});
+  ImGui::BeginChild("probe", {0.0F, std::max(ImGui::GetContentRegionAvail().y, side + frame)});
   draw_probe(ui, state);
   ImGui::EndChild();
 }

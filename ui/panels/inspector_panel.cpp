@@ -30,7 +30,7 @@ void draw_model(Ui& ui, const WorkbenchState& state, const ModelEntry& entry) {
   heading(ui, entry.name);
   const learning::TrainOptions& options = entry.model->options;
   if (state.project->stale(entry)) {
-    badge(ui, std::string(icon::kWarning) + " stale: a demonstration was edited since training", ui.theme().warning);
+    badge(ui, icon::kWarning, "stale: a demonstration was edited since training", ui.theme().warning);
   }
   fact(ui, "Method", learning::to_string(options.method));
   fact(ui, "Segment", std::string(1, demonstration::letter(entry.segment)));
@@ -40,12 +40,22 @@ void draw_model(Ui& ui, const WorkbenchState& state, const ModelEntry& entry) {
   }
   fact(ui, "Seed", std::to_string(options.seed));
   fact(ui, "Lattice", fmt::format("{0} × {0} × {0}", entry.model->grid.n));
-  fact(ui, "Trained in", seconds(entry.model->seconds));
+  fact(ui, "Trained in", elapsed(entry.model->seconds));
   if (!entry.created.empty()) fact(ui, "Trained", shown_time(entry.created));
   if (!state.insight || state.insight->entry == nullptr || state.insight->entry->id != entry.id) return;
   fact(ui, "Fully explored", count(state.insight->exploration.fully_explored) + " cells");
   fact(ui, "Partly explored", count(state.insight->exploration.partly_explored) + " cells");
   fact(ui, "Unexplored", count(state.insight->exploration.fully_unexplored) + " cells");
+}
+
+void draw_live(Ui& ui, const workbench::LiveView& live) {
+  const Scope scope(ui, "Recording");
+  heading(ui, "Recording");
+  fact(ui, "Time", time_code(live.elapsed_s));
+  fact(ui, "Samples", count(live.samples));
+  fact(ui, "Segment", std::string(1, demonstration::letter(live.segment)));
+  fact(ui, "Authority", demonstration::to_string(live.authority));
+  fact(ui, "Speed", fmt::format("{:.2f}× real time", live.realtime_factor));
 }
 
 }  // namespace
@@ -60,7 +70,7 @@ void InspectorPanel::draw_segments(Ui& ui, const WorkbenchState&, const demonstr
     const std::string label(1, demonstration::letter(segment));
     const std::string value = span ? fmt::format("{:.2f}–{:.2f} s", span->begin_s, span->end_s) : "missing";
     const ImVec2 at = ImGui::GetCursorPos();
-    const WidgetOptions options{.help = span ? "Click to go to its beginning" : "", .height = ui.px(22)};
+    const WidgetOptions options{.help = span ? "Click to go to its beginning" : "", .height = ui.px(24)};
     if (selectable_row(ui, label, false, value, options) && span) {
       requests.emplace_back(Command{workbench::SetPlayhead{span->begin_s}});
     }
@@ -70,7 +80,8 @@ void InspectorPanel::draw_segments(Ui& ui, const WorkbenchState&, const demonstr
     ImGui::SetCursorPos({at.x + ui.px(30), at.y + ui.px(2)});
     const ColourScope colour(ImGuiCol_Text, span ? ui.theme().text : ui.theme().text_disabled);
     ImGui::TextUnformatted(value.c_str());
-    if (span) {
+    const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8);
+    if (span && used + ui.px(50) < ImGui::GetWindowContentRegionMax().x) {
       const std::string length = seconds(span->end_s - span->begin_s);
       ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(length.c_str()).x);
       const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
@@ -92,10 +103,11 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
     requests.emplace_back(
         Command{workbench::CommitEdit{workbench::EditDemonstration{shown->id, demonstration::Rename{name_}}}});
   }
-  badge(ui, outcome_words(*shown->recording), outcome_colour(ui.theme(), shown->recording->outcome));
+  badge(ui, outcome_sign(shown->recording->outcome), outcome_words(*shown->recording),
+        outcome_colour(ui.theme(), shown->recording->outcome));
   if (shown->recording->recovered) {
-    ImGui::SameLine();
-    badge(ui, std::string(icon::kWarning) + " recovered", ui.theme().warning, "Salvaged after a crash");
+    flow(badge_width(ui, icon::kWarning, "recovered"), ui.px(8));
+    badge(ui, icon::kWarning, "recovered", ui.theme().warning, "Salvaged after a crash");
   }
   fact(ui, "Duration", seconds(shown->duration_s()));
   fact(ui, "Gates", fmt::format("{:.2f}–{:.2f} s", shown->begin_s, shown->end_s));
@@ -110,6 +122,10 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
 Requests InspectorPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_no_project(ui, state)) return requests;
+  if (state.live) {
+    draw_live(ui, *state.live);
+    return requests;
+  }
   const auto shown = selected_demonstration(state);
   const auto model = selected_model(state);
   if (shown == nullptr && model == nullptr) {

@@ -22,6 +22,17 @@ void right_aligned(std::string_view words, float right) {
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
 }
 
+// Its sign alone, with the word as tooltip, where there is no room for both.
+void draw_outcome(Ui& ui, const demonstration::Recording& recording, float room) {
+  const char* sign = outcome_sign(recording.outcome);
+  const std::string words = outcome_words(recording);
+  const Rgba colour = outcome_colour(ui.theme(), recording.outcome);
+  if (badge_width(ui, sign, words) <= room) return badge(ui, sign, words, colour);
+  const ColourScope tint(ImGuiCol_Text, colour);
+  ImGui::TextUnformatted(sign);
+  note_item(ui, "text", words, "", {.help = words});
+}
+
 // Name and duration above; segments, outcome and origin below.
 void draw_card(Ui& ui, const Demonstration& shown, float width) {
   const float left = ImGui::GetCursorPosX();
@@ -35,7 +46,7 @@ void draw_card(Ui& ui, const Demonstration& shown, float width) {
   ImGui::SetCursorPosX(left);
   segment_chips(ui, shown, ui.px(17));
   ImGui::SameLine(0.0F, ui.px(8));
-  badge(ui, outcome_words(*shown.recording), outcome_colour(ui.theme(), shown.recording->outcome));
+  draw_outcome(ui, *shown.recording, left + width - ImGui::GetCursorPosX());
   const FontScope font(ui.fonts().small);
   const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
   const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8);
@@ -71,7 +82,7 @@ void draw_demonstration_cells(Ui& ui, const Demonstration& shown) {
   ImGui::TableNextColumn();
   segment_chips(ui, shown, ui.px(17));
   ImGui::TableNextColumn();
-  badge(ui, outcome_words(*shown.recording), outcome_colour(ui.theme(), shown.recording->outcome));
+  draw_outcome(ui, *shown.recording, ImGui::GetContentRegionAvail().x);
   ImGui::TableNextColumn();
   dim_text(ui, provenance_words(shown.recording->provenance));
 }
@@ -91,7 +102,10 @@ bool card(Ui& ui, std::string_view label, bool selected, std::string_view value,
   }
   ImGui::SetCursorPos({at.x + ui.px(10), at.y + ui.px(4)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(5)});
-  draw(width - ui.px(20));
+  {
+    const Scope row(ui, label);
+    draw(width - ui.px(20));
+  }
   ImGui::PopStyleVar();
   ImGui::SetCursorPos(next);
   return clicked;
@@ -107,20 +121,16 @@ void LibraryPanel::remember(const WorkbenchState& state) {
 
 std::string LibraryPanel::arrival_of(workbench::ModelId id) const {
   const auto found = arrival_.find(id);
-  return found == arrival_.end() ? "–" : found->second;
+  return found == arrival_.end() ? std::string() : found->second;
 }
 
-Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
-  Requests requests;
-  if (draw_no_project(ui, state)) return requests;
-  remember(state);
-  const bool wide = ImGui::GetContentRegionAvail().x > ui.px(620);
+void LibraryPanel::draw_buttons(Ui& ui, const WorkbenchState& state, Requests& requests) {
   command_button(ui, state, "demo.record", "Record…", ButtonStyle::kPrimary, requests);
-  ImGui::SameLine();
+  flow(button_width(ui, "Train…", icon::kTrain), ui.px(8));
   command_button(ui, state, "model.train", "Train…", ButtonStyle::kNormal, requests);
   const std::array<std::string_view, 3> icons{"edit.trim_idle", "demo.verify", "edit.remove_demonstration"};
-  const float each = ImGui::GetFrameHeight() + ui.px(4);
-  const float icons_x = ImGui::GetWindowContentRegionMax().x - 3.0F * each - 2.0F * ui.px(2);
+  const float all = 3.0F * (ImGui::GetFrameHeight() + ui.px(4)) + 2.0F * ui.px(2);
+  const float icons_x = ImGui::GetWindowContentRegionMax().x - all;
   // Where the panel is narrow, the icons go below.
   if (icons_x > ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8)) ImGui::SameLine(icons_x);
   for (std::size_t i = 0; i < icons.size(); ++i) {
@@ -128,14 +138,21 @@ Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
     command_icon(ui, state, icons[i], requests);
   }
   ImGui::Dummy({0.0F, ui.px(1)});
-  const float models = state.project->models.empty() ? ui.px(150) : 0.4F * ImGui::GetContentRegionAvail().y;
-  const float room = ImGui::GetContentRegionAvail().y - std::max(models, ui.px(150)) - ui.px(8);
-  ImGui::BeginChild("demonstrations", {0.0F, std::max(room, ui.px(100))});
+}
+
+Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
+  Requests requests;
+  if (draw_no_project(ui, state)) return requests;
+  remember(state);
+  const bool wide = ImGui::GetContentRegionAvail().x > ui.px(620);
+  // The buttons stay in sight where there is room for them and for a list.
+  const bool tall = ImGui::GetContentRegionAvail().y > ui.px(240);
+  draw_buttons(ui, state, requests);
+  if (tall) ImGui::BeginChild("list");
   draw_demonstrations(ui, state, wide, requests);
-  ImGui::EndChild();
-  ImGui::BeginChild("models");
+  ImGui::Dummy({0.0F, ui.px(8)});
   draw_models(ui, state, wide, requests);
-  ImGui::EndChild();
+  if (tall) ImGui::EndChild();
   return requests;
 }
 
@@ -147,26 +164,30 @@ void LibraryPanel::draw_demonstrations(Ui& ui, const WorkbenchState& state, bool
     const std::array<EmptyStateAction, 1> actions{
         {{"Record a transfer…", icon::kRecord, state.live ? "A transfer is being recorded" : "",
           "Scripted operators in the simulator"}}};
-    if (empty_state(ui, icon::kFilm, "No demonstration yet", "Record one with the scripted operators", actions) == 0) {
+    if (empty_state(ui, icon::kFilm, "No demonstration yet", "Record one with the scripted operators", actions,
+                    ui.px(170)) == 0) {
       requests.emplace_back(UiAction::kShowRecord);
     }
     return;
   }
   const std::array<const char*, 6> columns{"Name", "Duration", "Samples", "Segments", "Outcome", "Source"};
   if (wide && !begin_wide_table("demonstrations", columns)) return;
+  UniqueNames unique;
   for (const auto& [id, shown] : list) {
+    const std::string name = unique(shown->name);
     const bool selected = id == state.demonstration;
     ImGui::PushID(static_cast<int>(id.value));
     bool clicked = false;
     if (wide) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
-      clicked = selectable_row(ui, shown->name, selected, summary(*shown));
+      clicked = selectable_row(ui, name, selected, summary(*shown), {.height = ui.px(20)});
+      const Scope row(ui, name);
       ImGui::SameLine(0.0F, 0.0F);
       ImGui::TextUnformatted(shown->name.c_str());
       draw_demonstration_cells(ui, *shown);
     } else {
-      clicked = card(ui, shown->name, selected, summary(*shown), [&](float width) { draw_card(ui, *shown, width); });
+      clicked = card(ui, name, selected, summary(*shown), [&](float width) { draw_card(ui, *shown, width); });
     }
     ImGui::PopID();
     if (clicked && !selected) requests.emplace_back(workbench::Command{workbench::SelectDemonstration{id}});
@@ -187,11 +208,11 @@ void draw_model_card(Ui& ui, const ModelEntry& entry, bool stale, const std::str
   segment_chip(ui, entry.segment, true, ui.px(17));
   ImGui::SameLine(0.0F, ui.px(8));
   if (stale) {
-    badge(ui, std::string(icon::kWarning) + " stale", ui.theme().warning, "A demonstration was edited since training");
+    badge(ui, icon::kWarning, "stale", ui.theme().warning, "A demonstration was edited since training");
     ImGui::SameLine(0.0F, ui.px(8));
   }
   small_text(ui,
-             std::string(learning::to_string(entry.model->options.method)) + "  " + seconds(entry.model->seconds) +
+             std::string(learning::to_string(entry.model->options.method)) + "  " + elapsed(entry.model->seconds) +
                  " to train",
              ui.theme().text_dim);
 }
@@ -203,7 +224,7 @@ void draw_model_cells(Ui& ui, const ModelEntry& entry, bool stale, const std::st
   cell(arrival);
   ImGui::TableNextColumn();
   if (stale) {
-    badge(ui, std::string(icon::kWarning) + " stale", ui.theme().warning, "A demonstration was edited since training");
+    badge(ui, icon::kWarning, "stale", ui.theme().warning, "A demonstration was edited since training");
   } else {
     dim_text(ui, "up to date");
   }
@@ -219,14 +240,16 @@ void LibraryPanel::draw_models(Ui& ui, const WorkbenchState& state, bool wide, R
     const std::string reason = command("model.train").reason_now(state);
     const std::array<EmptyStateAction, 1> actions{
         {{"Train a model…", icon::kTrain, reason, "Learn from demonstrations"}}};
-    if (empty_state(ui, icon::kTrain, "", "No model yet: train one from a demonstration", actions) == 0) {
+    if (empty_state(ui, icon::kTrain, "", "No model yet: train one from a demonstration", actions, ui.px(130)) == 0) {
       requests.emplace_back(ShowPanel{PanelId::kTrain});
     }
     return;
   }
   const std::array<const char*, 5> columns{"Name", "Method", "Segment", "Arrives ±3", "State"};
   if (wide && !begin_wide_table("models", columns)) return;
+  UniqueNames unique;
   for (const auto& [id, entry] : list) {
+    const std::string name = unique(entry->name);
     const bool selected = id == state.model;
     const bool stale = state.project->stale(*entry);
     const std::string arrival = arrival_of(id);
@@ -235,13 +258,14 @@ void LibraryPanel::draw_models(Ui& ui, const WorkbenchState& state, bool wide, R
     if (wide) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
-      clicked = selectable_row(ui, entry->name, selected, stale ? "stale" : "up to date");
+      clicked = selectable_row(ui, name, selected, stale ? "stale" : "up to date", {.height = ui.px(20)});
+      const Scope row(ui, name);
       ImGui::SameLine(0.0F, 0.0F);
       ImGui::TextUnformatted(entry->name.c_str());
       draw_model_cells(ui, *entry, stale, arrival);
     } else {
-      clicked = card(ui, entry->name, selected, stale ? "stale" : "up to date", [&](float width) {
-        draw_model_card(ui, *entry, stale, arrival == "–" ? arrival : arrival + " arrive", width);
+      clicked = card(ui, name, selected, stale ? "stale" : "up to date", [&](float width) {
+        draw_model_card(ui, *entry, stale, arrival.empty() ? arrival : arrival + " arrive", width);
       });
     }
     ImGui::PopID();

@@ -13,6 +13,7 @@ class LibraryPanel final : public Panel {
   Requests draw(Ui& ui, const WorkbenchState& state) override;
 
  private:
+  void draw_buttons(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_demonstrations(Ui& ui, const WorkbenchState& state, bool wide, Requests& requests);
   void draw_models(Ui& ui, const WorkbenchState& state, bool wide, Requests& requests);
   void remember(const WorkbenchState& state);

@@ -30,13 +30,20 @@ void outcome_row(Ui& ui, const char* sign, std::string_view name, int part, int 
   }
   ImGui::SameLine(left + ui.px(24));
   ImGui::TextUnformatted(name.data(), name.data() + name.size());
-  const float numbers = ui.px(116);
+  const float numbers = ImGui::CalcTextSize(words.c_str()).x;
   const float bar = left + ui.px(116);
-  ImGui::SameLine(bar);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5F * (ImGui::GetTextLineHeight() - ui.px(8)));
-  share_bar(ui, whole > 0 ? static_cast<double>(part) / whole : 0.0, colour, {width - numbers - ui.px(126), ui.px(8)});
-  ImGui::SameLine(left + width - ImGui::CalcTextSize(words.c_str()).x);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 0.5F * (ImGui::GetTextLineHeight() - ui.px(8)));
+  const float bar_width = width - ui.px(116) - std::max(numbers, ui.px(104)) - ui.px(10);
+  if (bar_width > ui.px(30)) {
+    ImGui::SameLine(bar);
+    const float lower = 0.5F * (ImGui::GetTextLineHeight() - ui.px(8));
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
+    share_bar(ui, whole > 0 ? static_cast<double>(part) / whole : 0.0, colour, {bar_width, ui.px(8)});
+    ImGui::SameLine(left + width - numbers);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lower);
+  } else {
+    const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8);
+    if (used + numbers <= left + width) ImGui::SameLine(left + width - numbers);
+  }
   ImGui::TextUnformatted(words.c_str());
   note_item(ui, "text", name, words, {});
 }
@@ -55,8 +62,14 @@ void summary_block(Ui& ui, std::string_view name, const RolloutSummary& summary)
 void around_table(Ui& ui, const std::array<RolloutSummary, 5>& around, int chosen, Requests& requests,
                   const workbench::RolloutSettings& settings) {
   const Scope scope(ui, "Distances");
-  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchSame;
-  if (!ImGui::BeginTable("around", 5, kFlags)) return;
+  const bool narrow = ImGui::GetContentRegionAvail().x < ui.px(330);
+  const ImGuiTableFlags flags =
+      ImGuiTableFlags_BordersInnerH |
+      (narrow ? ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit : ImGuiTableFlags_SizingStretchSame);
+  const float row = std::max(ui.px(20), ImGui::GetTextLineHeight()) + ImGui::GetStyle().ItemSpacing.y +
+                    2.0F * ImGui::GetStyle().CellPadding.y;
+  const float height = narrow ? 6.0F * row + ImGui::GetStyle().ScrollbarSize + ui.px(4) : 0.0F;
+  if (!ImGui::BeginTable("around", 5, flags, {0.0F, height})) return;
   for (const char* name : {"Start", "Count", "Arrives", "Loops", "Above"}) ImGui::TableSetupColumn(name);
   ImGui::TableHeadersRow();
   for (int k = 1; k <= 5; ++k) {
@@ -64,7 +77,8 @@ void around_table(Ui& ui, const std::array<RolloutSummary, 5>& around, int chose
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string label = fmt::format("±{}", k);
-    if (selectable_row(ui, label, k == chosen, percent(summary.arrived, summary.count)) && k != chosen) {
+    if (selectable_row(ui, label, k == chosen, percent(summary.arrived, summary.count), {.height = ui.px(20)}) &&
+        k != chosen) {
       workbench::RolloutSettings next = settings;
       next.around = k;
       requests.emplace_back(Command{workbench::SetRollouts{next}});
@@ -121,7 +135,7 @@ void rollout_row(Ui& ui, const Rollout& rollout, const spatial::Grid& grid) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(label.c_str());
-  note_item(ui, "row", label, std::string(learning::to_string(rollout.end)), {});
+  note_item(ui, "text", label, std::string(learning::to_string(rollout.end)), {});
   ImGui::TableNextColumn();
   {
     const ColourScope tint(ImGuiCol_Text, colour);
@@ -195,7 +209,7 @@ Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
     return requests;
   }
   if (state.insight->stale) {
-    badge(ui, std::string(icon::kWarning) + " stale: a demonstration was edited since training", ui.theme().warning);
+    badge(ui, icon::kWarning, "stale: a demonstration was edited since training", ui.theme().warning);
   }
   draw_controls(ui, state, requests);
   const int k = std::clamp(state.rollouts.around, 1, 5);

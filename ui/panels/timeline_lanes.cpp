@@ -12,13 +12,19 @@
 namespace trocar::ui {
 namespace {
 
+constexpr float kRulerHeight = 30.0F;  // All at 100 %.
+constexpr float kSegmentsHeight = 24.0F;
+constexpr float kAuthorityHeight = 21.0F;
+constexpr float kJawHeight = 27.0F;
+constexpr float kFlagsHeight = 17.0F;
+
 constexpr Rgba kInk{16, 18, 21, 255};  // On the light colours of segments and authorities.
 
 class Lanes {
  public:
   Lanes(Ui& ui, const LaneLayout& layout) : ui_(ui), layout_(layout), y_(layout.lanes.y0) {}
 
-  bool begin(std::string_view name, float height);
+  void begin(std::string_view name, float height);
   void block(double begin_s, double end_s, Rgba colour, std::string_view words, std::string_view short_words = {});
   void thin_row(const std::vector<Run>& runs, int row, int rows, Rgba colour) const;
   void curve(const std::vector<Extent>& extents, float low, float high, Rgba colour) const;
@@ -32,14 +38,12 @@ class Lanes {
   float height_ = 0.0F;
 };
 
-bool Lanes::begin(std::string_view name, float height) {
-  if (y_ + height > layout_.lanes.y1) return false;
+void Lanes::begin(std::string_view name, float height) {
   height_ = height;
   const FontScope font(ui_.fonts().small);
   const float text = ImGui::GetFontSize();
   list().AddText({layout_.names.x0, std::round(y_ + 0.5F * (height - text))}, to_u32(ui_.theme().text_dim), name.data(),
                  name.data() + name.size());
-  return true;
 }
 
 void Lanes::end() {
@@ -59,10 +63,12 @@ void Lanes::block(double begin_s, double end_s, Rgba colour, std::string_view wo
   const auto size_of = [](std::string_view text) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size());
   };
-  if (size_of(words).x + ui_.px(8) > x1 - x0) words = short_words;
+  const float w0 = std::max(x0, layout_.x_of(layout_.gate_in_s));
+  const float w1 = std::min(x1, layout_.x_of(layout_.gate_out_s));
+  if (size_of(words).x + ui_.px(8) > w1 - w0) words = short_words;
   const ImVec2 size = size_of(words);
-  if (words.empty() || size.x + ui_.px(4) > x1 - x0) return;
-  const float x = x0 + ui_.px(6) + size.x > x1 - ui_.px(6) ? x0 + 0.5F * (x1 - x0 - size.x) : x0 + ui_.px(6);
+  if (words.empty() || size.x + 2.0F > w1 - w0) return;
+  const float x = w0 + ui_.px(6) + size.x > w1 - ui_.px(6) ? w0 + 0.5F * (w1 - w0 - size.x) : w0 + ui_.px(6);
   list().AddText({std::round(x), std::round(0.5F * (y0 + y1 - size.y))}, to_u32(kInk), words.data(),
                  words.data() + words.size());
 }
@@ -97,21 +103,41 @@ void Lanes::curve(const std::vector<Extent>& extents, float low, float high, Rgb
   }
 }
 
-void draw_segments(Lanes& lanes, const Ui& ui, const demonstration::Demonstration& shown) {
-  if (!lanes.begin("Segments", ui.px(24))) return;
+void draw_segments(Lanes& lanes, Ui& ui, const LaneLayout& layout, const demonstration::Demonstration& shown) {
+  UniqueNames unique;
+  lanes.begin("Segments", ui.px(kSegmentsHeight));
   for (const demonstration::SegmentSpan& span : shown.segments) {
     const std::string letter(1, demonstration::letter(span.label));
-    const std::string words = fmt::format("{}  {}", letter, seconds(span.end_s - span.begin_s));
-    lanes.block(span.begin_s, span.end_s, segment_colour(span.label), words, letter);
+    const double begin_s = std::max(span.begin_s, layout.gate_in_s);
+    const double end_s = std::min(span.end_s, layout.gate_out_s);
+    const std::string length = seconds(std::max(end_s - begin_s, 0.0));
+    lanes.block(span.begin_s, span.end_s, segment_colour(span.label), letter + "  " + length, letter);
+    if (end_s <= begin_s) continue;
+    const float x0 = std::clamp(layout.x_of(begin_s), layout.lanes.x0, layout.lanes.x1);
+    const float x1 = std::clamp(layout.x_of(end_s), layout.lanes.x0, layout.lanes.x1);
+    const Rect rect{x0, layout.lanes.y0, x1, layout.lanes.y0 + ui.px(kSegmentsHeight)};
+    note_rect(ui, "text", unique("Segment " + letter), length, rect);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (!rect.contains(mouse.x, mouse.y)) continue;
+    // The segment may be too narrow for its letter.
+    ui.set_hint(fmt::format("Segment {}: {:.2f}–{:.2f} s, {} long", letter, begin_s, end_s, length));
   }
   lanes.end();
 }
 
 }  // namespace
 
+float lanes_height(const Ui& ui) {
+  float height = ui.px(kRulerHeight);
+  for (const float lane : {kSegmentsHeight, kAuthorityHeight, kJawHeight, kJawHeight, kFlagsHeight, kFlagsHeight}) {
+    height += ui.px(lane) + 1.0F;
+  }
+  return height;
+}
+
 LaneLayout lay_out(const Ui& ui, const Rect& area, const TimeRange& range) {
   const float names = ui.px(78);
-  const float ruler = ui.px(30);
+  const float ruler = ui.px(kRulerHeight);
   LaneLayout layout;
   layout.names = {area.x0 + ui.px(10), area.y0 + ruler, area.x0 + names, area.y1};
   layout.ruler = {area.x0 + names, area.y0, area.x1 - ui.px(10), area.y0 + ruler};
@@ -147,34 +173,29 @@ void draw_ruler(Ui& ui, const LaneLayout& layout) {
 
 void draw_lanes(Ui& ui, const LaneLayout& layout, const demonstration::Demonstration& shown, const LaneData& data) {
   Lanes lanes(ui, layout);
-  draw_segments(lanes, ui, shown);
-  if (lanes.begin("Authority", ui.px(21))) {
-    for (const Run& run : data.authority()) {
-      const auto authority = static_cast<demonstration::Authority>(run.state - 1);
-      lanes.block(run.begin_s, run.end_s, authority_colour(authority), demonstration::to_string(authority));
-    }
-    lanes.end();
+  draw_segments(lanes, ui, layout, shown);
+  lanes.begin("Authority", ui.px(kAuthorityHeight));
+  for (const Run& run : data.authority()) {
+    const auto authority = static_cast<demonstration::Authority>(run.state - 1);
+    lanes.block(run.begin_s, run.end_s, authority_colour(authority), demonstration::to_string(authority));
   }
+  lanes.end();
   const Rgba left = mix(ui.theme().accent, ui.theme().text, 0.1F);
   const Rgba right = mix(ui.theme().warning, ui.theme().text, 0.1F);
-  if (lanes.begin("Jaw L", ui.px(27))) {
-    lanes.curve(data.jaw(0), data.jaw_low(), data.jaw_high(), left);
-    lanes.end();
-  }
-  if (lanes.begin("Jaw R", ui.px(27))) {
-    lanes.curve(data.jaw(1), data.jaw_low(), data.jaw_high(), right);
-    lanes.end();
-  }
-  if (lanes.begin("Holds L, R", ui.px(17))) {
-    lanes.thin_row(data.flag(demonstration::kLeftHolds), 0, 2, left);
-    lanes.thin_row(data.flag(demonstration::kRightHolds), 1, 2, right);
-    lanes.end();
-  }
-  if (lanes.begin("Pedals", ui.px(17))) {
-    lanes.thin_row(data.flag(demonstration::kAgentPedal), 0, 2, ui.theme().good);
-    lanes.thin_row(data.flag(demonstration::kClutchPedal), 1, 2, ui.theme().text_dim);
-    lanes.end();
-  }
+  lanes.begin("Jaw L", ui.px(kJawHeight));
+  lanes.curve(data.jaw(0), data.jaw_low(), data.jaw_high(), left);
+  lanes.end();
+  lanes.begin("Jaw R", ui.px(kJawHeight));
+  lanes.curve(data.jaw(1), data.jaw_low(), data.jaw_high(), right);
+  lanes.end();
+  lanes.begin("Holds L, R", ui.px(kFlagsHeight));
+  lanes.thin_row(data.flag(demonstration::kLeftHolds), 0, 2, left);
+  lanes.thin_row(data.flag(demonstration::kRightHolds), 1, 2, right);
+  lanes.end();
+  lanes.begin("Pedals", ui.px(kFlagsHeight));
+  lanes.thin_row(data.flag(demonstration::kAgentPedal), 0, 2, ui.theme().good);
+  lanes.thin_row(data.flag(demonstration::kClutchPedal), 1, 2, ui.theme().text_dim);
+  lanes.end();
 }
 
 }  // namespace trocar::ui

@@ -15,7 +15,8 @@ namespace {
 
 using workbench::Command;
 
-constexpr double kLeast_s = 0.05;  // Between the gates.
+constexpr double kLeast_s = 0.05;      // Between the gates.
+constexpr float kSpeedWidth = 266.0F;  // Of the speeds and Fit, at 100 %.
 
 double length_of(const demonstration::Demonstration& shown) {
   return shown.samples->empty() ? 1.0 : shown.time_of(shown.samples->back());
@@ -51,38 +52,53 @@ void TimelinePanel::draw_transport(Ui& ui, const WorkbenchState& state, const de
   }
   ImGui::SameLine(0.0F, ui.px(2));
   command_icon(ui, state, "transport.end", requests);
-  ImGui::SameLine(0.0F, ui.px(14));
-  ImGui::AlignTextToFramePadding();
+  draw_time(ui, state, shown);
+  draw_speed(ui, state, shown, requests);
+}
+
+void TimelinePanel::draw_time(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown) const {
+  const std::string time = fmt::format("{:.3f} s", state.playhead_s);
   {
     const FontScope font(ui.fonts().strong);
-    ImGui::TextUnformatted(fmt::format("{:.3f} s", state.playhead_s).c_str());
+    flow(ImGui::CalcTextSize(time.c_str()).x, ui.px(14));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(time.c_str());
     note_item(ui, "text", "Playhead", fmt::format("{:.3f}", state.playhead_s), {});
   }
-  ImGui::SameLine(0.0F, ui.px(8));
   const bool trimming = drag_ == Drag::kGateIn || drag_ == Drag::kGateOut;
   const std::string words =
       trimming ? "Trim to " + trim_words(gate_in_s_, gate_out_s_) : "of " + seconds(shown.end_s) + ", " + shown.name;
-  const float buttons = ui.px(250);
+  const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8);
+  const float room = ImGui::GetWindowContentRegionMax().x - used - ui.px(kSpeedWidth + 8.0F);
+  // A word or two at least; what it says is in the inspector, too.
+  if (room < ui.px(60) && !trimming) return;
+  ImGui::SameLine(0.0F, ui.px(8));
   ImGui::AlignTextToFramePadding();
   const ColourScope colour(ImGuiCol_Text, trimming ? ui.theme().accent : ui.theme().text_dim);
-  ImGui::TextUnformatted(fitted(words, ImGui::GetContentRegionAvail().x - buttons - ui.px(10)).c_str());
-  const ColourScope plain(ImGuiCol_Text, ui.theme().text);
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - buttons);
+  ImGui::TextUnformatted(fitted(words, std::max(room, ui.px(60))).c_str());
+}
+
+void TimelinePanel::draw_speed(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
+                               Requests& requests) {
+  const float width = ui.px(kSpeedWidth);
+  if (ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8) + width <= ImGui::GetWindowContentRegionMax().x) {
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
+  }
   static const std::array<std::string, 4> kNames{"0.25×", "0.5×", "1×", "2×"};
   constexpr std::array<double, 4> kSpeeds{0.25, 0.5, 1.0, 2.0};
   int chosen = -1;
   for (int i = 0; i < 4; ++i) {
     if (kSpeeds[static_cast<std::size_t>(i)] == state.play_speed) chosen = i;
   }
-  if (segmented(ui, "Speed", chosen, kNames, {.help = "Play at this speed", .width = buttons - ui.px(84)})) {
+  if (segmented(ui, "Speed", chosen, kNames, {.help = "Play at this speed", .width = width - ui.px(84)})) {
     requests.emplace_back(Command{workbench::Play{kSpeeds[static_cast<std::size_t>(chosen)]}});
   }
-  ImGui::SameLine();
-  if (button(ui, "Fit",
-             {.icon = icon::kExpand,
-              .help = "Show the whole demonstration",
-              .width = ui.px(76),
-              .style = ButtonStyle::kQuiet})) {
+  const bool roomy =
+      ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(84) <= ImGui::GetWindowContentRegionMax().x;
+  WidgetOptions fit{.icon = icon::kExpand, .help = "Show the whole demonstration", .style = ButtonStyle::kQuiet};
+  if (roomy) fit.width = ui.px(76);
+  flow(roomy ? fit.width : ImGui::GetFrameHeight() + ui.px(4), ui.px(8));
+  if (roomy ? button(ui, "Fit", fit) : icon_button(ui, "Fit", fit)) {
     range_ = {shown.begin_s, shown.end_s};
     range_.zoom(0.5 * (shown.begin_s + shown.end_s), 1.06);
   }
@@ -179,12 +195,15 @@ void TimelinePanel::draw_playhead(Ui& ui, const LaneLayout& layout, double t_s) 
 
 void TimelinePanel::draw_lane_area(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
                                    Requests& requests) {
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+  ImVec2 room = ImGui::GetContentRegionAvail();
+  room.y = std::max(room.y, lanes_height(ui));
   const bool hovered = canvas(ui, "Lanes", room, trim_words(gate_in_s_, gate_out_s_),
                               {.help = "Drag to move the playhead, wheel to zoom, right drag to shift"});
   const LaneLayout layout = lay_out(ui, item_rect(), range_);
   take_mouse(ui, layout, hovered, state, shown, requests);
-  const LaneLayout now = lay_out(ui, item_rect(), range_);
+  LaneLayout now = lay_out(ui, item_rect(), range_);
+  now.gate_in_s = gate_in_s_;
+  now.gate_out_s = gate_out_s_;
   data_.update(shown, range_, std::max(static_cast<int>(now.lanes.width() / 2.0F), 1));
   ImGui::PushClipRect({now.names.x0, now.ruler.y0}, {item_rect().x1, item_rect().y1}, true);
   draw_ruler(ui, now);
@@ -197,12 +216,15 @@ void TimelinePanel::draw_lane_area(Ui& ui, const WorkbenchState& state, const de
 Requests TimelinePanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_no_project(ui, state)) return requests;
+  if (state.live) {
+    empty_state(ui, icon::kRecord, "Recording", "The transfer appears here when it ends", {});
+    return requests;
+  }
   const auto shown = selected_demonstration(state);
   if (shown == nullptr || shown->samples == nullptr || shown->gated().empty()) {
     const std::array<EmptyStateAction, 1> actions{
         {{"Record…", icon::kRecord, command("demo.record").reason_now(state), "Record a scripted transfer"}}};
-    const std::string_view sentence =
-        state.live ? "The recording appears here when it ends" : "Select a demonstration in the library, or record one";
+    const std::string_view sentence = "Select a demonstration in the library, or record one";
     if (empty_state(ui, icon::kSliders, "Nothing to show over time", sentence, actions) == 0) {
       requests.emplace_back(UiAction::kShowRecord);
     }

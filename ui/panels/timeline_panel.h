@@ -19,6 +19,8 @@ class TimelinePanel final : public Panel {
   void fit(const WorkbenchState& state, const demonstration::Demonstration& shown);
   void draw_transport(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
                       Requests& requests);
+  void draw_time(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown) const;
+  void draw_speed(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown, Requests& requests);
   void draw_lane_area(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
                       Requests& requests);
   void take_mouse(Ui& ui, const LaneLayout& layout, bool hovered, const WorkbenchState& state,

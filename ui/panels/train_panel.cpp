@@ -27,13 +27,14 @@ void TrainPanel::draw_choice(Ui& ui, const WorkbenchState& state) {
   const Scope scope(ui, "Demonstrations");
   heading(ui, "Learn from");
   const demonstration::Segment segment = kSegments[static_cast<std::size_t>(segment_)];
+  UniqueNames unique;
   for (const auto& [id, shown] : state.project->demonstrations) {
     bool chosen = !left_out_.contains(id);
     const bool has = shown->segment(segment).has_value();
     if (!has) chosen = false;
     ImGui::PushID(static_cast<int>(id.value));
     const std::string why = has ? "" : std::string("It has no segment ") + demonstration::letter(segment);
-    if (checkbox(ui, shown->name, chosen, {.reason = why})) {
+    if (checkbox(ui, unique(shown->name), chosen, {.reason = why})) {
       if (chosen) {
         left_out_.erase(id);
       } else {

@@ -63,10 +63,13 @@ void draw_banner(Ui& ui, const workbench::LiveView& live, const Rect& rect) {
   const float thick = ui.px(3);
   list.AddRect({rect.x0 + 0.5F * thick, rect.y0 + 0.5F * thick}, {rect.x1 - 0.5F * thick, rect.y1 - 0.5F * thick},
                to_u32(ui.theme().danger_fill), 0.0F, ImDrawFlags_None, thick);
-  const std::string words =
+  std::string words =
       fmt::format("{}  REC  {}   {} samples   segment {}   {:.2f}× real time", icon::kRecord, time_code(live.elapsed_s),
                   count(live.samples), demonstration::letter(live.segment), live.realtime_factor);
+  // The time is what matters most.
+  const std::string brief = fmt::format("{}  REC  {}", icon::kRecord, time_code(live.elapsed_s));
   const FontScope font(ui.fonts().strong);
+  if (ImGui::CalcTextSize(words.c_str()).x > rect.width() - ui.px(40)) words = brief;
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   const ImVec2 at{std::round(rect.centre_x() - 0.5F * size.x), rect.y1 - size.y - ui.px(24)};
   list.AddRectFilled({at.x - ui.px(14), at.y - ui.px(7)}, {at.x + size.x + ui.px(14), at.y + size.y + ui.px(7)},
@@ -102,10 +105,13 @@ void draw_camera_buttons(Ui& ui, const WorkbenchState& state, const Rect& rect, 
   }
 }
 
+// In the lower right corner where they do not fit beside the camera's.
 void draw_layer_buttons(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests) {
   if (selected_model(state) == nullptr) return;
+  const float cameras = item_rect().x1 + ui.px(3);
   const float width = ImGui::CalcTextSize("Field").x + ImGui::CalcTextSize("Ghosts").x + 2 * ui.px(18) + ui.px(8);
-  const ImVec2 at{rect.x1 - ui.px(10) - width, rect.y0 + ui.px(10)};
+  ImVec2 at{rect.x1 - ui.px(10) - width, rect.y0 + ui.px(10)};
+  if (at.x < cameras + ui.px(8)) at.y = rect.y1 - ImGui::GetFrameHeight() - ui.px(16);
   ground(ui, at, {at.x + width, at.y + ImGui::GetFrameHeight() + ui.px(6)});
   ImGui::SetCursorScreenPos({at.x + ui.px(3), at.y + ui.px(3)});
   const CommandRow& field = command("view.field");
@@ -191,14 +197,15 @@ void ViewPanel::draw_picture(Ui& ui, const WorkbenchState& state, const Rect& re
 }
 
 void ViewPanel::draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests) {
-  draw_axes(ui, state, rect);
   draw_camera_buttons(ui, state, rect, requests);
   draw_layer_buttons(ui, state, rect, requests);
+  // Not under the buttons.
+  if (rect.height() > ui.px(140)) draw_axes(ui, state, rect);
   if (state.live) draw_banner(ui, *state.live, rect);
   if (state.picture == nullptr && state.picture_error.empty()) {
-    ImGui::SetCursorScreenPos({rect.centre_x() - ui.px(14), rect.centre_y() - ui.px(14)});
+    ImGui::SetCursorScreenPos({rect.x1 - ui.px(40), rect.y1 - ui.px(40)});
     spinner(ui, ui.px(14), ui.theme().text_dim);
-    note_rect(ui, "text", "Drawing the first picture", "", rect);
+    note_rect(ui, "progress", "Drawing the first picture", "", item_rect());
   } else if (!state.picture_error.empty()) {
     const ImVec2 at{rect.x0 + ui.px(16), rect.centre_y() - ui.px(30)};
     ground(ui, at, {rect.x1 - ui.px(16), at.y + ui.px(84)});

@@ -22,6 +22,7 @@ bool canvas(Ui& ui, std::string_view label, ImVec2 size, std::string_view value,
       std::string(label).c_str(), real,
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   const bool hovered = ImGui::IsItemHovered();
+  if (hovered) ui.take_wheel();
   if (hovered && !options.help.empty()) ui.set_hint(options.help);
   note_rect(ui, "canvas", label, value, item_rect(), options);
   return hovered;

@@ -50,6 +50,7 @@ bool draw_button(Ui& ui, std::string_view label, const std::string& words, const
 
 std::string words_of(std::string_view label, const WidgetOptions& options) {
   if (options.icon == nullptr) return std::string(label);
+  if (options.icon_only) return options.icon;
   return std::string(options.icon) + "  " + std::string(label);
 }
 
@@ -71,6 +72,18 @@ void draw_box(const Ui& ui, ImVec2 at, float box, bool on, bool enabled) {
                                     {at.x + 0.43F * box, at.y + 0.70F * box},
                                     {at.x + 0.77F * box, at.y + 0.32F * box}}};
   list.AddPolyline(tick.data(), 3, to_u32(enabled ? theme.on_accent : theme.text_disabled), 0, ui.px(2));
+}
+
+bool segment_button(Ui& ui, const std::string& name, bool on, float width, const WidgetOptions& options) {
+  const ColourScope ground(ImGuiCol_Button, on ? ui.theme().accent_fill : ui.theme().raised);
+  const ColourScope hover(ImGuiCol_ButtonHovered, on ? ui.theme().accent_hover : ui.theme().hover);
+  const ColourScope words(ImGuiCol_Text, on ? ui.theme().on_accent : ui.theme().text);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(2), ImGui::GetStyle().FramePadding.y});
+  const bool clicked = ImGui::Button(name.c_str(), {width, 0.0F});
+  ImGui::PopStyleVar();
+  note_item(ui, "toggle", name, on ? "on" : "off", options);
+  note_fit(ui, name, ui.px(2));
+  return clicked;
 }
 
 }  // namespace
@@ -95,6 +108,10 @@ bool icon_button(Ui& ui, std::string_view label, const WidgetOptions& options) {
 }
 
 bool toggle(Ui& ui, std::string_view label, bool on, const WidgetOptions& options) {
+  return toggle_shown_as(ui, label, words_of(label, options), on, options);
+}
+
+bool toggle_shown_as(Ui& ui, std::string_view label, const std::string& words, bool on, const WidgetOptions& options) {
   const Theme& theme = ui.theme();
   const bool enabled = options.reason.empty();
   const Rgba ground = on ? theme.selection : Rgba{theme.raised.r, theme.raised.g, theme.raised.b, 0};
@@ -102,7 +119,6 @@ bool toggle(Ui& ui, std::string_view label, bool on, const WidgetOptions& option
   const ColourScope b(ImGuiCol_ButtonHovered, on ? theme.selection : theme.hover);
   const ColourScope c(ImGuiCol_ButtonActive, theme.selection);
   const ColourScope d(ImGuiCol_Text, !enabled ? theme.text_disabled : on ? theme.text : theme.text_dim);
-  const std::string words = words_of(label, options);
   if (!enabled) ImGui::BeginDisabled();
   const bool clicked = ImGui::Button((words + "###" + std::string(label)).c_str(), {options.width, 0.0F});
   if (!enabled) ImGui::EndDisabled();
@@ -131,30 +147,42 @@ bool checkbox(Ui& ui, std::string_view label, bool& on, const WidgetOptions& opt
   return clicked;
 }
 
+namespace {
+
+// As many beside each other as leave room for the longest name; 1 at least.
+int columns_for(const Ui& ui, std::span<const std::string> names, float width) {
+  float longest = 0.0F;
+  for (const std::string& name : names) longest = std::max(longest, ImGui::CalcTextSize(name.c_str()).x);
+  const auto room = static_cast<int>((width + ui.px(2)) / (longest + ui.px(6) + ui.px(2)));
+  const int count = static_cast<int>(names.size());
+  if (room >= count) return count;
+  const int columns = std::max(room, 1);
+  const int rows = (count + columns - 1) / columns;
+  return (count + rows - 1) / rows;
+}
+
+}  // namespace
+
 bool segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std::string> names,
                const WidgetOptions& options) {
   const Scope scope(ui, label);
   const float gap = ui.px(2);
-  const float width = (options.width > 0.0F ? options.width : ImGui::GetContentRegionAvail().x);
-  const auto count = static_cast<float>(names.size());
-  const float each = (width - gap * (count - 1.0F)) / count;
+  const float width = options.width > 0.0F ? options.width : ImGui::GetContentRegionAvail().x;
+  const int columns = columns_for(ui, names, width);
+  const float each = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
   bool changed = false;
+  ImGui::BeginGroup();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-    const bool on = i == chosen;
-    const ColourScope a(ImGuiCol_Button, on ? ui.theme().accent_fill : ui.theme().raised);
-    const ColourScope b(ImGuiCol_ButtonHovered, on ? ui.theme().accent_hover : ui.theme().hover);
-    const ColourScope c(ImGuiCol_Text, on ? ui.theme().on_accent : ui.theme().text);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(2), ImGui::GetStyle().FramePadding.y});
     const std::string& name = names[static_cast<std::size_t>(i)];
-    if (ImGui::Button(name.c_str(), {each, 0.0F}) && !on) {
+    if (segment_button(ui, name, i == chosen, each, options) && i != chosen) {
       chosen = i;
       changed = true;
     }
-    ImGui::PopStyleVar();
-    note_item(ui, "toggle", name, on ? "on" : "off", options);
-    note_fit(ui, name, ui.px(2));
-    if (i + 1 < static_cast<int>(names.size())) ImGui::SameLine(0.0F, gap);
+    if ((i + 1) % columns != 0 && i + 1 < static_cast<int>(names.size())) ImGui::SameLine(0.0F, gap);
   }
+  ImGui::PopStyleVar();
+  ImGui::EndGroup();
   return changed;
 }
 

@@ -7,6 +7,14 @@
 
 namespace trocar::ui {
 
+namespace {
+
+std::string badge_words(const char* icon, std::string_view words) {
+  return icon == nullptr ? std::string(words) : std::string(icon) + " " + std::string(words);
+}
+
+}  // namespace
+
 void text(Ui& ui, std::string_view words) {
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
   note_item(ui, "text", words, "", {});
@@ -37,16 +45,23 @@ void small_text(Ui& ui, std::string_view words, Rgba colour) {
   text(ui, words);
 }
 
-void badge(Ui& ui, std::string_view words, Rgba colour, std::string_view help) {
+float badge_width(const Ui& ui, const char* icon, std::string_view words) {
   const FontScope font(ui.fonts().small);
-  const std::string shown(words);
-  const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
+  return ImGui::CalcTextSize(badge_words(icon, words).c_str()).x + 2.0F * ui.px(7);
+}
+
+void badge(Ui& ui, const char* icon, std::string_view words, Rgba colour, std::string_view help) {
+  const FontScope font(ui.fonts().small);
+  const std::string shown = badge_words(icon, words);
   const ImVec2 padding{ui.px(7), ui.px(2)};
   const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float wrap = std::max(ImGui::GetContentRegionAvail().x - 2.0F * padding.x, ui.px(60)) + 1.0F;
+  const ImVec2 size = ImGui::CalcTextSize(shown.c_str(), nullptr, false, wrap);
   const ImVec2 end{at.x + size.x + 2 * padding.x, at.y + size.y + 2 * padding.y};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, end, to_u32(mix(ui.theme().panel, colour, 0.18F)), ui.px(9));
-  list.AddText({at.x + padding.x, at.y + padding.y}, to_u32(colour), shown.c_str());
+  list.AddRectFilled(at, end, to_u32(mix(ui.theme().panel, colour, kBadgeTint)), ui.px(9));
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + padding.x, at.y + padding.y}, to_u32(colour),
+               shown.c_str(), nullptr, wrap);
   ImGui::Dummy({end.x - at.x, end.y - at.y});
   note_item(ui, "text", words, "", {.help = help});
 }
@@ -63,28 +78,45 @@ std::string fitted(std::string_view words, float width) {
   return shown + "…";
 }
 
+std::string UniqueNames::operator()(std::string_view name) {
+  std::string unique(name);
+  const int times = ++seen_[unique];
+  return times == 1 ? unique : unique + " #" + std::to_string(times);
+}
+
 void fact(Ui& ui, std::string_view name, std::string_view value) {
   const float left = ImGui::GetCursorPosX();
   const float width = ImGui::GetContentRegionAvail().x;
-  const float column = std::min(ui.px(150), 0.45F * width);
+  const auto width_of = [](std::string_view words) {
+    return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+  };
+  const float column = std::max(std::min(ui.px(150), 0.45F * width), width_of(name) + ui.px(8));
   {
     const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
-    ImGui::TextUnformatted(fitted(name, column - ui.px(4)).c_str());
+    ImGui::TextUnformatted(name.data(), name.data() + name.size());
   }
-  ImGui::SameLine(left + column);
-  ImGui::TextUnformatted(fitted(value, width - column).c_str());
+  if (column + width_of(value) <= width) {
+    ImGui::SameLine(left + column);
+  } else {
+    ImGui::SetCursorPosX(left + ui.px(10));
+  }
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(value.data(), value.data() + value.size());
+  ImGui::PopTextWrapPos();
   note_item(ui, "text", name, value, {.help = value});
 }
 
 void form_label(Ui& ui, std::string_view name) {
   const float left = ImGui::GetCursorPosX();
-  const float column = std::min(ui.px(112), 0.4F * ImGui::GetContentRegionAvail().x);
-  ImGui::AlignTextToFramePadding();
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float column = std::min(ui.px(112), 0.4F * room);
+  const bool above = room < ui.px(260) || ImGui::CalcTextSize(name.data(), name.data() + name.size()).x > column;
+  if (!above) ImGui::AlignTextToFramePadding();
   {
     const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
-    ImGui::TextUnformatted(fitted(name, column - ui.px(4)).c_str());
+    ImGui::TextUnformatted(name.data(), name.data() + name.size());
   }
-  ImGui::SameLine(left + column);
+  if (!above) ImGui::SameLine(left + column);
 }
 
 void progress_bar(Ui& ui, std::string_view label, double fraction, float width) {
@@ -132,38 +164,47 @@ void centred_line(Ui& ui, ImFont* font, std::string_view words, Rgba colour, flo
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x + 1.0F);
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
   ImGui::PopTextWrapPos();
-  note_item(ui, "text", words, "", {});
-}
-
-float button_width(Ui& ui, const EmptyStateAction& action) {
-  std::string words(action.label);
-  if (action.icon != nullptr) words = std::string(action.icon) + "  " + words;
-  return ImGui::CalcTextSize(words.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x + ui.px(4);
 }
 
 }  // namespace
 
+float button_width(const Ui& ui, std::string_view label, const char* icon) {
+  std::string words(label);
+  if (icon != nullptr) words = std::string(icon) + "  " + words;
+  return std::ceil(ImGui::CalcTextSize(words.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x) + ui.px(4);
+}
+
+void flow(float width, float spacing) {
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + spacing + width <= right + 0.5F) ImGui::SameLine(0.0F, spacing);
+}
+
 int empty_state(Ui& ui, const char* icon, std::string_view title, std::string_view sentence,
-                std::span<const EmptyStateAction> actions) {
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+                std::span<const EmptyStateAction> actions, float height_given) {
+  ImVec2 room = ImGui::GetContentRegionAvail();
+  if (height_given > 0.0F) room.y = height_given;
   const float left = ImGui::GetCursorPosX();
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   float buttons = 0.0F;
-  for (const EmptyStateAction& action : actions) buttons += button_width(ui, action) + spacing;
+  for (const EmptyStateAction& action : actions) buttons += button_width(ui, action.label, action.icon) + spacing;
   const bool stacked = buttons - spacing > room.x - ui.px(16);
   const auto rows = static_cast<float>(actions.empty() ? 0 : stacked ? actions.size() : 1);
   const float height = ui.px(34) + ui.px(24) + ui.px(46) + rows * (ImGui::GetFrameHeight() + ui.px(7));
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + std::max(ui.px(6), 0.44F * (room.y - height)));
   if (*icon != '\0' && room.y > ui.px(150))
     centred_line(ui, ui.fonts().large, icon, ui.theme().text_disabled, left, room.x);
-  if (!title.empty()) centred_line(ui, ui.fonts().strong, title, ui.theme().text, left, room.x);
+  if (!title.empty()) {
+    centred_line(ui, ui.fonts().strong, title, ui.theme().text, left, room.x);
+    note_item(ui, "text", title, "", {});
+  }
   centred_line(ui, ui.fonts().body, sentence, ui.theme().text_dim, left, room.x);
+  note_item(ui, "text", sentence, "", {});
   ImGui::Dummy({0.0F, ui.px(2)});
   int clicked = -1;
   if (!stacked) ImGui::SetCursorPosX(left + 0.5F * (room.x - (buttons - spacing)));
   for (int i = 0; i < static_cast<int>(actions.size()); ++i) {
     const EmptyStateAction& action = actions[static_cast<std::size_t>(i)];
-    const float width = button_width(ui, action);
+    const float width = button_width(ui, action.label, action.icon);
     if (stacked) ImGui::SetCursorPosX(left + 0.5F * (room.x - width));
     const WidgetOptions options{.icon = action.icon,
                                 .help = action.help,

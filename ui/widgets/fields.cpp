@@ -1,8 +1,9 @@
-#include <fmt/format.h>
+#include <fmt/printf.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "ui/widgets/widgets.h"
@@ -46,8 +47,10 @@ bool combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::str
            const WidgetOptions& options) {
   const bool known = chosen >= 0 && chosen < static_cast<int>(names.size());
   const std::string shown = known ? names[static_cast<std::size_t>(chosen)] : std::string();
+  const float width = options.width > 0.0F ? options.width : ImGui::GetContentRegionAvail().x;
+  const std::string cut = fitted(shown, width - ImGui::GetFrameHeight() - ui.px(9));
   begin_field(ui, options);
-  const bool open = ImGui::BeginCombo(hidden_id(label).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
+  const bool open = ImGui::BeginCombo(hidden_id(label).c_str(), cut.c_str(), ImGuiComboFlags_HeightLarge);
   end_field(options);
   const Rect rect = item_rect();
   bool changed = false;
@@ -56,30 +59,61 @@ bool combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::str
     ImGui::EndCombo();
     note_rect(ui, "combo", label, shown, rect, options);
   } else {
-    note_item(ui, "combo", label, shown, options);
-    ui.items().note_text(ImGui::CalcTextSize(shown.c_str()).x, ImGui::GetFrameHeight() + ui.px(9));
+    WidgetOptions whole = options;
+    if (cut != shown) whole.help = shown;
+    note_item(ui, "combo", label, shown, whole);
   }
   return changed;
 }
 
+namespace {
+
+// The number stands beside the slider, where the grab does not cover it. `widest` is the longest that may stand there;
+// `draw` draws the slider itself and `words` gives the number after that.
+template <typename Draw, typename Words>
+bool slider_with_number(Ui& ui, std::string_view label, const std::string& widest, Draw draw, Words words,
+                        const WidgetOptions& options) {
+  const float room = options.width > 0.0F ? options.width : ImGui::GetContentRegionAvail().x;
+  const float number = std::ceil(ImGui::CalcTextSize(widest.c_str()).x) + ui.px(8);
+  const float width = std::max(room - number, ui.px(36));
+  const bool typing = ImGui::TempInputIsActive(ImGui::GetID(hidden_id(label).c_str()));
+  WidgetOptions placed = options;
+  placed.width = width;
+  begin_field(ui, placed);
+  if (!typing) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
+  const bool changed = draw();
+  if (!typing) ImGui::PopStyleColor();
+  end_field(placed);
+  const std::string shown = words();
+  note_item(ui, "slider", label, shown, placed);
+  ImGui::SameLine(0.0F, ui.px(8));
+  const ColourScope colour(ImGuiCol_Text, options.reason.empty() ? ui.theme().text : ui.theme().text_disabled);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(shown.c_str());
+  ui.items().note_end(item_rect().x1);
+  return changed;
+}
+
+}  // namespace
+
 bool slider_int(Ui& ui, std::string_view label, int& value, int low, int high, const char* format,
                 const WidgetOptions& options) {
-  begin_field(ui, options);
-  const bool changed =
-      ImGui::SliderInt(hidden_id(label).c_str(), &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
-  end_field(options);
-  note_item(ui, "slider", label, std::to_string(value), options);
-  return changed;
+  const auto words = [format](int number) { return fmt::sprintf(format, number); };
+  return slider_with_number(
+      ui, label, std::max(words(low), words(high), [](const auto& a, const auto& b) { return a.size() < b.size(); }),
+      [&] { return ImGui::SliderInt(hidden_id(label).c_str(), &value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp); },
+      [&] { return words(value); }, options);
 }
 
 bool slider_float(Ui& ui, std::string_view label, float& value, float low, float high, const char* format,
                   const WidgetOptions& options) {
-  begin_field(ui, options);
-  const bool changed =
-      ImGui::SliderFloat(hidden_id(label).c_str(), &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
-  end_field(options);
-  note_item(ui, "slider", label, fmt::format("{:.3g}", value), options);
-  return changed;
+  const auto words = [format](float number) { return fmt::sprintf(format, number); };
+  return slider_with_number(
+      ui, label, std::max(words(low), words(high), [](const auto& a, const auto& b) { return a.size() < b.size(); }),
+      [&] {
+        return ImGui::SliderFloat(hidden_id(label).c_str(), &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+      },
+      [&] { return words(value); }, options);
 }
 
 bool number_field(Ui& ui, std::string_view label, std::int64_t& value, std::int64_t low, std::int64_t high,

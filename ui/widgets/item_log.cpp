@@ -27,6 +27,16 @@ int likeness(const std::string& a, const std::string& b) {
   return shared;
 }
 
+// True where no scrolling brings the whole of the item into sight. A row may be wider than the column it begins in.
+bool cut_off(const Item& item) {
+  constexpr float kSlack = 1.0F;
+  const bool beside = item.rect.x0 < item.clip.x0 - kSlack || item.rect.x1 > item.clip.x1 + kSlack;
+  const bool beyond = item.rect.y0 < item.clip.y0 - kSlack || item.rect.y1 > item.clip.y1 + kSlack;
+  const bool too_tall = item.rect.height() > std::max(item.room_y, item.clip.height()) + kSlack;
+  if (beside && !item.scrolls_x && item.role != "row" && item.role != "canvas") return true;
+  return item.role == "canvas" ? beyond && !item.scrolls_y : beyond && (!item.scrolls_y || too_tall);
+}
+
 }  // namespace
 
 void ItemLog::begin_frame() {
@@ -47,12 +57,18 @@ void ItemLog::pop() {
 
 void ItemLog::add(Item item) {
   item.path = prefix_ + item.label;
+  item.text_clipped = item.text_clipped || cut_off(item);
   items_.push_back(std::move(item));
 }
 
 void ItemLog::note_text(float width, float padding) {
   Item& item = items_.back();
-  item.text_clipped = width > item.rect.width() - padding + 0.5F;
+  item.text_clipped = item.text_clipped || width > item.rect.width() - padding + 0.5F;
+}
+
+void ItemLog::note_end(float x1) {
+  Item& item = items_.back();
+  item.text_clipped = item.text_clipped || (x1 > item.clip.x1 + 1.0F && !item.scrolls_x);
 }
 
 const Item* ItemLog::find(std::string_view path) const {

@@ -1,6 +1,7 @@
 /// The list of everything on screen in one frame, by label: what tests, scripts, the dump and the palette go by.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,10 +30,14 @@ struct Item {
   bool enabled = true;
   std::string reason;  ///< Why it is disabled, or "".
   Rect rect;
-  Rect clip;  ///< What of the window its region shows.
+  Rect clip;                 ///< What of the window its region shows.
+  float room_y = 0.0F;       ///< The tallest that its region shows at once, pixels; 0: as `clip`.
+  bool scrolls_x = false;    ///< Its region can be scrolled sideways.
+  bool scrolls_y = false;    ///< … up and down.
+  std::uint32_t region = 0;  ///< Which region it lies in; equal for neighbours.
   std::string help;
   std::string shortcut;
-  bool text_clipped = false;  ///< Its text is wider than its place.
+  bool text_clipped = false;  ///< Its text is wider than its place, or its place is cut off and cannot be scrolled to.
 
   /// Its centre can be clicked.
   bool reachable() const { return clip.contains(rect.centre_x(), rect.centre_y()); }
@@ -48,6 +53,11 @@ class ItemLog {
   void add(Item item);
   /// The last item's text is `width` wide and needs `padding` beside it; notes whether it is cut off.
   void note_text(float width, float padding);
+
+  /// For what is known only after the item was noted.
+  void set_last_value(std::string_view value) { items_.back().value = value; }
+  /// What belongs to the last item goes on to `x1` pixels; notes whether that is cut off.
+  void note_end(float x1);
 
   const std::vector<Item>& items() const { return items_; }
   /// An item whose path is `path`, or ends with "/" + `path`; the case of letters and a trailing "…" do not matter. An

@@ -1,3 +1,5 @@
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 #include "ui/widgets/widgets.h"
@@ -24,6 +26,25 @@ void show_tooltip(Ui& ui, const WidgetOptions& options) {
   ImGui::PopStyleVar();
 }
 
+void note_region(Item& item) {
+  const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
+  item.region = window->ID;
+  // A table clips its columns, and to nothing where they are scrolled out of sight; what counts is the region.
+  if ((window->Flags & ImGuiWindowFlags_ChildWindow) != 0 || ImGui::GetCurrentTable() != nullptr) {
+    item.clip.y0 = window->InnerClipRect.Min.y;
+    item.clip.y1 = window->InnerClipRect.Max.y;
+  }
+  for (; window != nullptr; window = window->ParentWindow) {
+    if ((window->Flags & ImGuiWindowFlags_NoScrollbar) != 0) break;
+    // What overflows sideways counts as scroll room, too; but without the bar nobody gets there.
+    const bool bar = (window->Flags & ImGuiWindowFlags_HorizontalScrollbar) != 0;
+    item.scrolls_x = item.scrolls_x || (bar && window->ScrollMax.x > 0.0F);
+    item.scrolls_y = item.scrolls_y || window->ScrollMax.y > 0.0F;
+    item.room_y = std::max(item.room_y, window->InnerClipRect.GetHeight());
+    if ((window->Flags & ImGuiWindowFlags_ChildWindow) == 0) break;
+  }
+}
+
 Item make_item(std::string_view role, std::string_view label, std::string_view value, const Rect& rect,
                const WidgetOptions& options) {
   Item item;
@@ -36,6 +57,7 @@ Item make_item(std::string_view role, std::string_view label, std::string_view v
   const ImVec2 low = ImGui::GetWindowDrawList()->GetClipRectMin();
   const ImVec2 high = ImGui::GetWindowDrawList()->GetClipRectMax();
   item.clip = {low.x, low.y, high.x, high.y};
+  note_region(item);
   item.help = options.help;
   item.shortcut = options.shortcut;
   return item;

@@ -14,6 +14,7 @@ void Ui::begin_frame(double now_s) {
   shown_hint_ = std::exchange(hint_, {});
   now_s_ = now_s;
   animating_ = false;
+  wheel_was_taken_ = std::exchange(wheel_taken_, false);
   if (!hovered_now_) hovered_path_.clear();
   hovered_now_ = false;
 }

@@ -33,6 +33,10 @@ class Ui {
   bool animating() const { return animating_; }
   void animate() { animating_ = true; }
 
+  /// True if a canvas was under the pointer in the last frame: the wheel is for it.
+  bool wheel_taken() const { return wheel_was_taken_; }
+  void take_wheel() { wheel_taken_ = true; }
+
   /// A sentence for the status line, set by what was under the pointer in the last frame.
   const std::string& hint() const { return shown_hint_; }
   void set_hint(std::string_view text) { hint_ = text; }
@@ -45,7 +49,7 @@ class Ui {
   void set_fonts(const Fonts& fonts) { fonts_ = fonts; }
 
  private:
-  Theme theme_ = dark_theme();
+  Theme theme_ = make_theme(ThemeKind::kDark);
   Fonts fonts_;
   TextureStore* textures_;
   InputQueue* input_;
@@ -54,6 +58,8 @@ class Ui {
   std::string shown_hint_;
   double now_s_ = 0.0;
   bool animating_ = false;
+  bool wheel_taken_ = false;
+  bool wheel_was_taken_ = false;
   std::string hovered_path_;
   double hovered_since_s_ = 0.0;
   bool hovered_now_ = false;

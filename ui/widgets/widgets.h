@@ -4,6 +4,8 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +19,7 @@ enum class ButtonStyle { kNormal, kPrimary, kQuiet, kDanger };
 /// What may be said about any widget. `reason` not empty disables it and is shown as its tooltip.
 struct WidgetOptions {
   const char* icon = nullptr;
+  bool icon_only = false;  ///< The label is only its name.
   std::string_view help = {};
   std::string_view shortcut = {};
   std::string_view reason = {};
@@ -38,6 +41,8 @@ bool button(Ui& ui, std::string_view label, const WidgetOptions& options = {});
 bool icon_button(Ui& ui, std::string_view label, const WidgetOptions& options);
 /// A button that stays down. Returns true when clicked.
 bool toggle(Ui& ui, std::string_view label, bool on, const WidgetOptions& options = {});
+/// A toggle whose words differ from its name.
+bool toggle_shown_as(Ui& ui, std::string_view label, const std::string& words, bool on, const WidgetOptions& options);
 bool checkbox(Ui& ui, std::string_view label, bool& on, const WidgetOptions& options = {});
 /// A drop-down list; its items are at "…/label/name". Returns true when another was chosen.
 bool combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::string> names,
@@ -52,7 +57,7 @@ bool number_field(Ui& ui, std::string_view label, std::int64_t& value, std::int6
 /// Returns true when Enter was pressed or the field was left after an edit.
 bool text_field(Ui& ui, std::string_view label, std::string& text, std::string_view hint,
                 const WidgetOptions& options = {});
-/// A choice among few, side by side. Returns true when another was chosen.
+/// A choice among few, side by side, in rows where that is narrow. Returns true when another was chosen.
 bool segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std::string> names,
                const WidgetOptions& options = {});
 /// A whole row of the current table or list that can be selected.
@@ -62,6 +67,20 @@ bool selectable_row(Ui& ui, std::string_view label, bool selected, std::string_v
 bool canvas(Ui& ui, std::string_view label, ImVec2 size, std::string_view value, const WidgetOptions& options = {});
 
 void progress_bar(Ui& ui, std::string_view label, double fraction, float width);
+/// Names for the rows of one list in one frame: the second "Expert" is "Expert #2", so that each can be told apart.
+class UniqueNames {
+ public:
+  std::string operator()(std::string_view name);
+
+ private:
+  std::map<std::string, int, std::less<>> seen_;
+};
+
+/// Puts the next widget, `width` pixels wide, beside the last one if there is room, else below.
+void flow(float width, float spacing);
+/// What a button with these words needs; `icon` may be null.
+float button_width(const Ui& ui, std::string_view label, const char* icon);
+
 /// A thin bar for a share, drawn in place, no item of its own.
 void share_bar(Ui& ui, double share, Rgba colour, ImVec2 size);
 void spinner(Ui& ui, float radius, Rgba colour);
@@ -71,11 +90,13 @@ void dim_text(Ui& ui, std::string_view words);
 void wrapped_text(Ui& ui, std::string_view words, Rgba colour);
 void heading(Ui& ui, std::string_view words);
 void small_text(Ui& ui, std::string_view words, Rgba colour);
-/// A word on a tinted ground; with its icon or letter it does not depend on colour.
-void badge(Ui& ui, std::string_view words, Rgba colour, std::string_view help = {});
-/// "Samples" on the left, dim; "2,480" on the right half. Cut with … where it does not fit; the tooltip has it all.
+/// A word on a tinted ground; with its sign it does not depend on colour. Wraps where it does not fit.
+void badge(Ui& ui, const char* icon, std::string_view words, Rgba colour, std::string_view help = {});
+/// What it takes beside other things.
+float badge_width(const Ui& ui, const char* icon, std::string_view words);
+/// "Samples" on the left, dim; "2,480" on the right half, or below where it does not fit.
 void fact(Ui& ui, std::string_view name, std::string_view value);
-/// The name of a form's field, dim, in a left column; the next widget fills the rest.
+/// The name of a form's field, dim, in a left column; the next widget fills the rest. Above it where that is narrow.
 void form_label(Ui& ui, std::string_view name);
 /// `words` cut with … to `width` pixels in the current font.
 std::string fitted(std::string_view words, float width);
@@ -86,9 +107,10 @@ struct EmptyStateAction {
   std::string_view reason = {};
   std::string_view help = {};
 };
-/// One sentence and up to three buttons in the middle of what is left of the region. Returns the button clicked, or −1.
+/// One sentence and up to three buttons in the middle of what is left of the region, or of `height` pixels. Returns the
+/// button clicked, or −1.
 int empty_state(Ui& ui, const char* icon, std::string_view title, std::string_view sentence,
-                std::span<const EmptyStateAction> actions);
+                std::span<const EmptyStateAction> actions, float height = 0.0F);
 
 /// Between two tiles: `position` follows the mouse while it is dragged. `vertical` separates left from right. Returns
 /// true while it moves.

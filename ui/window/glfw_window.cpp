@@ -43,7 +43,7 @@ class GlfwWindow final : public Window {
   float content_scale() const override;
   double now_s() const override { return glfwGetTime(); }
   void poll(double timeout_s) override;
-  bool should_close() const override { return glfwWindowShouldClose(handle_.get()) != 0; }
+  bool take_close_request() override;
   void set_title(const std::string& title) override;
   void set_cursor(ImGuiMouseCursor cursor) override;
   std::string clipboard() const override;
@@ -129,6 +129,12 @@ void GlfwWindow::poll(double timeout_s) {
   } else {
     glfwPollEvents();
   }
+}
+
+bool GlfwWindow::take_close_request() {
+  if (glfwWindowShouldClose(handle_.get()) == 0) return false;
+  glfwSetWindowShouldClose(handle_.get(), GLFW_FALSE);
+  return true;
 }
 
 void GlfwWindow::set_title(const std::string& title) {

@@ -30,7 +30,8 @@ class Window {
   virtual double now_s() const = 0;
   /// Takes in what happened; waits for input at most `timeout_s`.
   virtual void poll(double timeout_s) = 0;
-  virtual bool should_close() const { return false; }
+  /// True once after the user asked for the window to be closed.
+  virtual bool take_close_request() { return false; }
   virtual void set_title(const std::string& title) = 0;
   virtual void set_cursor(ImGuiMouseCursor cursor) = 0;
   virtual std::string clipboard() const = 0;

@@ -1,53 +1,17 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <set>
 
+#include "tests/support/scratch_folder.h"
+#include "tests/support/ui_desk.h"
 #include "tests/support/ui_state.h"
 #include "ui/command_table.h"
 #include "ui/driver/driver.h"
 #include "ui/window/null_window.h"
 
 namespace trocar::ui {
-namespace {
-
-/// The window on a state that commands do not change, unless a test does.
-struct Desk {
-  explicit Desk(workbench::WorkbenchState shown, float scale = 1.0F) : state(std::move(shown)) {
-    Settings settings;
-    settings.scale = scale;
-    session = std::move(Session::create(window, settings).value());
-    CHECK(driver().frames(4));
-  }
-  Driver driver() {
-    return Driver(*session, [this]() -> Status {
-      window.poll(0.0);
-      TROCAR_ASSIGN_OR_RETURN(const ShellResult result, session->frame(state));
-      commands.insert(commands.end(), result.commands.begin(), result.commands.end());
-      quit = quit || result.quit;
-      return {};
-    });
-  }
-  template <typename Command>
-  const Command* last() const {
-    const Command* found = nullptr;
-    for (const auto& command : commands) {
-      if (const auto* match = std::get_if<Command>(&command)) found = match;
-    }
-    return found;
-  }
-
-  workbench::WorkbenchState state;
-  NullWindow window{{1600, 900}};
-  std::unique_ptr<Session> session;
-  std::vector<workbench::Command> commands;
-  bool quit = false;
-};
-
-std::string text_of(const Status& status) {
-  return status ? "" : status.error().text();
-}
-
-}  // namespace
 
 TEST_CASE("without a project the view offers to make one, and the chooser opens") {
   Desk desk({});
@@ -224,20 +188,111 @@ TEST_CASE("a layer is chosen from the list") {
   CHECK(desk.last<workbench::SetField>()->settings.layer == learning::Layer::kMargin);
 }
 
-TEST_CASE("no widget of any workspace is cut off, at 100 and at 150 per cent") {
-  for (const float scale : {1.0F, 1.5F}) {
-    Desk desk(testing::made_state_with_model(), scale);
-    desk.window.resize({static_cast<int>(1600.0F * scale), static_cast<int>(900.0F * scale)});
-    for (const char* keys : {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4"}) {
-      CHECK(desk.driver().key(keys));
-      CHECK(desk.driver().frames(3));
-      for (const Item& item : desk.session->items().items()) {
-        CAPTURE(item.path);
-        CAPTURE(scale);
-        CHECK_FALSE(item.text_clipped);
-      }
-    }
+TEST_CASE("quitting asks first while a transfer is recorded, and does what is answered") {
+  workbench::WorkbenchState state = testing::made_state();
+  state.live.emplace().elapsed_s = 12.3;
+  Desk desk(state);
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+Q"));
+  CHECK_FALSE(desk.quit);
+  CHECK(text_of(driver.click("Quit/Stay")) == "");
+  CHECK(text_of(driver.expect_present("Quit/Stay", false)) == "");
+  CHECK(driver.key("Ctrl+Q"));
+  CHECK(text_of(driver.click("Quit/Discard and quit")) == "");
+  CHECK(desk.quit);
+  REQUIRE(desk.last<workbench::StopRecording>() != nullptr);
+  CHECK_FALSE(desk.last<workbench::StopRecording>()->keep);
+}
+
+TEST_CASE("quitting asks first while a film is made, and at once when nothing runs") {
+  Desk busy(testing::made_state_with_model());
+  CHECK(busy.driver().key("Ctrl+Q"));
+  CHECK_FALSE(busy.quit);
+  CHECK(text_of(busy.driver().click("Quit/Cancel them and quit")) == "");
+  CHECK(busy.quit);
+  Desk idle(testing::made_state());
+  CHECK(idle.driver().key("Ctrl+Q"));
+  CHECK(idle.quit);
+}
+
+TEST_CASE("while a project is being opened nothing can be recorded or undone") {
+  workbench::WorkbenchState state = testing::made_state();
+  state.load = workbench::LoadState::kLoading;
+  Desk desk(state);
+  for (const char* path : {"Toolbar/Record…", "Toolbar/Undo", "Toolbar/Train…"}) {
+    CHECK(desk.driver().item(path).value().reason == "The project is being opened");
   }
+}
+
+TEST_CASE("what could not be opened is said once, and can be tried again") {
+  workbench::WorkbenchState state;
+  state.load = workbench::LoadState::kFailed;
+  state.path = "/data/pegs.trocar";
+  state.load_error = "the disk is gone";
+  Desk desk(state);
+  int times = 0;
+  for (const Item& item : desk.session->items().items()) times += item.label.find("not be opened") != std::string::npos;
+  CHECK(times == 1);
+  CHECK(text_of(desk.driver().click("View/Retry")) == "");
+  REQUIRE(desk.last<workbench::OpenProject>() != nullptr);
+  CHECK(desk.last<workbench::OpenProject>()->path == "/data/pegs.trocar");
+  CHECK_FALSE(desk.last<workbench::OpenProject>()->create);
+}
+
+TEST_CASE("a segment that a gate cuts is as long in the timeline as in the inspector") {
+  workbench::WorkbenchState state = testing::made_state();
+  auto project = std::make_shared<workbench::Project>(*state.project);
+  auto trimmed = *project->demonstrations.at({1});
+  trimmed.begin_s = 1.25;
+  project->demonstrations[{1}] = std::make_shared<demonstration::Demonstration>(trimmed);
+  state.project = project;
+  Desk desk(state);
+  CHECK(text_of(desk.driver().expect_value("Timeline/Segment A", "0.75 s")) == "");
+  CHECK(text_of(desk.driver().expect_value("Segments/A", "1.25–2.00 s")) == "");
+}
+
+TEST_CASE("while a transfer is recorded the timeline and the inspector do not show another one") {
+  workbench::WorkbenchState state = testing::made_state();
+  state.live.emplace().samples = 2480;
+  Desk desk(state);
+  CHECK(text_of(desk.driver().expect_present("Timeline/Lanes", false)) == "");
+  CHECK(text_of(desk.driver().expect_value("Inspector/Recording/Samples", "2,480")) == "");
+  CHECK(desk.driver().item("Toolbar/Undo").value().reason == "A transfer is being recorded");
+}
+
+TEST_CASE("the probe says expected visits as the layer does, and nothing twice") {
+  for (const learning::Layer layer : {learning::Layer::kReward, learning::Layer::kVisits, learning::Layer::kSteps}) {
+    workbench::WorkbenchState state = testing::made_state_with_model();
+    auto insight = std::make_shared<workbench::ModelInsight>(*state.insight);
+    insight->field = std::make_shared<learning::Field>(learning::field(*insight->entry->model, layer));
+    state.insight = insight;
+    state.field.layer = layer;
+    Desk desk(state);
+    CHECK(text_of(desk.driver().click("Tabs/Fields")) == "");
+    std::set<std::string> seen;
+    int visits = 0;
+    for (const Item& item : desk.session->items().items()) {
+      if (item.path.find("/Probe/") == std::string::npos) continue;
+      CHECK(seen.insert(item.path).second);
+      if (item.label.find("isits") == std::string::npos) continue;
+      ++visits;
+      CHECK(item.value == "1 expected");  // the probe stands at the goal, where every demonstration ends
+    }
+    CHECK(visits == 1);
+  }
+}
+
+TEST_CASE("an export asks before it replaces a file") {
+  const testing::ScratchFolder folder;
+  std::ofstream(folder / "film.mp4") << "mine";
+  Desk desk(testing::made_state());
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+E"));
+  CHECK(text_of(driver.type("Export video/File", (folder / "new.mp4").string())) == "");
+  CHECK(text_of(driver.expect_present("Export video/Export", true)) == "");
+  CHECK(text_of(driver.type("Export video/File", (folder / "film.mp4").string())) == "");
+  CHECK(text_of(driver.expect_present("Export video/Export", false)) == "");
+  CHECK(text_of(driver.expect_present("Export video/Replace the file", true)) == "");
 }
 
 TEST_CASE("what is not on screen is answered with what is most like it") {

@@ -1,0 +1,173 @@
+// Every panel, form and menu, at every scale and in every theme: named, whole, apart, large enough.
+#include "ui/widgets/lint.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/support/ui_desk.h"
+#include "ui/command_table.h"
+
+namespace trocar::ui {
+namespace {
+
+constexpr std::array<float, 5> kScales{0.75F, 1.0F, 1.5F, 2.0F, 3.0F};
+
+std::string found_on(const Desk& desk, float scale) {
+  std::string words;
+  for (const LintFinding& finding : lint(desk.session->items().items(), scale)) {
+    words += finding.path + " " + finding.what + "; ";
+  }
+  return words;
+}
+
+std::set<std::string> tabs_of(const Desk& desk) {
+  std::set<std::string> tabs;
+  for (const Item& item : desk.session->items().items()) {
+    if (item.role == "tab") tabs.insert(item.label);
+  }
+  return tabs;
+}
+
+void lint_every_panel(Desk& desk, float scale) {
+  for (const char* keys : {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4"}) {
+    CAPTURE(keys);
+    CHECK(desk.driver().key(keys));
+    CHECK(desk.driver().frames(3));
+    for (const std::string& tab : tabs_of(desk)) {
+      CAPTURE(tab);
+      CHECK(text_of(desk.driver().click("Tabs/" + tab)) == "");
+      CHECK(desk.driver().frames(2));
+      CHECK(found_on(desk, scale) == "");
+    }
+  }
+}
+
+workbench::WorkbenchState live_state() {
+  workbench::WorkbenchState state = testing::made_state_with_model();
+  state.live.emplace().elapsed_s = 12.3;
+  return state;
+}
+
+workbench::WorkbenchState failed_state() {
+  workbench::WorkbenchState state;
+  state.load = workbench::LoadState::kFailed;
+  state.path = "/data/pegs.trocar";
+  state.load_error = "the project is damaged and was left as it is: the journal ends in the middle of a row /data/x";
+  return state;
+}
+
+Item made(std::string path, Rect rect, Rect clip) {
+  Item item;
+  item.role = "button";
+  item.label = item.path = std::move(path);
+  item.rect = rect;
+  item.clip = clip;
+  return item;
+}
+
+}  // namespace
+
+TEST_CASE("the lint finds what has no name, is there twice, lies on another or is too small") {
+  const Rect screen{0, 0, 800, 600};
+  const auto findings = lint({made("", {0, 0, 50, 30}, screen), made("a", {100, 0, 150, 30}, screen),
+                              made("a", {200, 0, 250, 30}, screen), made("b", {240, 10, 290, 40}, screen),
+                              made("c", {400, 0, 410, 30}, screen), made("\uf00c d", {500, 0, 550, 30}, screen)},
+                             1.0F);
+  std::vector<std::string> what;
+  for (const LintFinding& finding : findings) what.push_back(finding.what);
+  CHECK(what == std::vector<std::string>{"has no name", "is there twice", "lies on a", "is too small a target",
+                                         "has a picture in its name"});
+}
+
+TEST_CASE("the item list notes what its region cuts off unless it can be scrolled to") {
+  ItemLog log;
+  const Rect region{0, 0, 100, 100};
+  log.begin_frame();
+  log.add(made("whole", {10, 10, 60, 40}, region));
+  log.add(made("beside", {80, 10, 130, 40}, region));
+  Item below = made("below", {10, 90, 60, 120}, region);
+  log.add(below);
+  below.scrolls_y = true;
+  log.add(below);
+  below.rect.y1 = 300;
+  log.add(below);
+  std::vector<bool> cut;
+  for (const Item& item : log.items()) cut.push_back(item.text_clipped);
+  CHECK(cut == std::vector<bool>{false, true, true, false, true});
+}
+
+TEST_CASE("every panel is whole, named and large enough at every scale, in a window of 1600 by 900 pixels") {
+  for (const float scale : kScales) {
+    CAPTURE(scale);
+    Desk desk(testing::made_state_with_model(), scale);
+    lint_every_panel(desk, scale);
+  }
+}
+
+TEST_CASE("so is every panel in a small window, in every theme") {
+  for (const ThemeKind theme : kThemeKinds) {
+    CAPTURE(name_of(theme));
+    Desk desk(testing::made_state_with_model(), 1.0F, theme);
+    desk.window.resize({1024, 640});
+    lint_every_panel(desk, 1.0F);
+  }
+}
+
+TEST_CASE("so is every panel without a model, while recording, without a project and with one that is broken") {
+  for (const float scale : kScales) {
+    CAPTURE(scale);
+    for (const auto& state : {testing::made_state(), live_state(), workbench::WorkbenchState{}, failed_state()}) {
+      Desk desk(state, scale);
+      lint_every_panel(desk, scale);
+    }
+  }
+}
+
+TEST_CASE("so is every form and every menu") {
+  for (const float scale : kScales) {
+    CAPTURE(scale);
+    Desk desk(testing::made_state_with_model(), scale);
+    Driver driver = desk.driver();
+    for (const char* keys : {"Ctrl+N", "Ctrl+O", "Ctrl+E", "Ctrl+Shift+E", "R", "F1", "Ctrl+P", "Ctrl+Q"}) {
+      CAPTURE(keys);
+      CHECK(driver.key(keys));
+      CHECK(driver.frames(4));
+      CHECK(found_on(desk, scale) == "");
+      CHECK(driver.key("Escape"));
+      CHECK(driver.frames(2));
+    }
+    if (desk.session->items().find("Menu/File") == nullptr) continue;
+    for (const char* menu : {"File", "Edit", "View", "Transport", "Help"}) {
+      CAPTURE(menu);
+      CHECK(text_of(driver.click(std::string("Menu/") + menu)) == "");
+      CHECK(driver.frames(3));
+      CHECK(found_on(desk, scale) == "");
+      CHECK(driver.key("Escape"));
+      CHECK(driver.frames(2));
+    }
+  }
+}
+
+TEST_CASE("the shortcut sheet shows the keys of every command that has some, at every scale") {
+  for (const float scale : kScales) {
+    CAPTURE(scale);
+    Desk desk(testing::made_state(), scale);
+    CHECK(desk.driver().key("F1"));
+    CHECK(desk.driver().frames(4));
+    for (const CommandRow& row : command_table()) {
+      if (row.keys.empty()) continue;
+      CAPTURE(row.title);
+      const Item* shown =
+          desk.session->items().find("Keyboard shortcuts/" + std::string(row.menu) + "/" + std::string(row.title));
+      REQUIRE(shown != nullptr);
+      CHECK(shown->rect.x0 >= shown->clip.x0);
+      CHECK(shown->rect.x1 <= shown->clip.x1);
+    }
+  }
+}
+
+}  // namespace trocar::ui
