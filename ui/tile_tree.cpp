@@ -252,11 +252,11 @@ Tile default_layout(Workspace workspace) {
     case Workspace::kFields:
       return split(row, {0.235F, 0.405F, 0.36F},
                    {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kTrain, kInspector, kHistory, kJobs, kLog})}),
-                    split(column, {0.68F, 0.32F}, {tabs({kView}), tabs({kTimeline})}), tabs({kFields, kRollouts})});
+                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline})}), tabs({kFields, kRollouts})});
     case Workspace::kRollouts:
       return split(row, {0.235F, 0.385F, 0.38F},
                    {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kTrain, kInspector, kHistory, kJobs, kLog})}),
-                    split(column, {0.68F, 0.32F}, {tabs({kView}), tabs({kTimeline})}), tabs({kRollouts, kFields})});
+                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline})}), tabs({kRollouts, kFields})});
   }
   return tabs({kView});
 }

@@ -58,7 +58,8 @@ void draw_axes(Ui& ui, const WorkbenchState& state, const Rect& rect) {
   }
 }
 
-void draw_banner(Ui& ui, const workbench::LiveView& live, const Rect& rect) {
+// Its words stand above `bottom`.
+void draw_banner(Ui& ui, const workbench::LiveView& live, const Rect& rect, float bottom) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float thick = ui.px(3);
   list.AddRect({rect.x0 + 0.5F * thick, rect.y0 + 0.5F * thick}, {rect.x1 - 0.5F * thick, rect.y1 - 0.5F * thick},
@@ -71,7 +72,7 @@ void draw_banner(Ui& ui, const workbench::LiveView& live, const Rect& rect) {
   const FontScope font(ui.fonts().strong);
   if (ImGui::CalcTextSize(words.c_str()).x > rect.width() - ui.px(40)) words = brief;
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-  const ImVec2 at{std::round(rect.centre_x() - 0.5F * size.x), rect.y1 - size.y - ui.px(24)};
+  const ImVec2 at{std::round(rect.centre_x() - 0.5F * size.x), bottom - size.y - ui.px(24)};
   list.AddRectFilled({at.x - ui.px(14), at.y - ui.px(7)}, {at.x + size.x + ui.px(14), at.y + size.y + ui.px(7)},
                      to_u32(ui.theme().danger_fill), ui.px(16));
   list.AddText(at, to_u32(ui.theme().on_accent), words.c_str());
@@ -199,9 +200,10 @@ void ViewPanel::draw_picture(Ui& ui, const WorkbenchState& state, const Rect& re
 void ViewPanel::draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests) {
   draw_camera_buttons(ui, state, rect, requests);
   draw_layer_buttons(ui, state, rect, requests);
+  const Rect buttons = item_rect();
   // Not under the buttons.
   if (rect.height() > ui.px(140)) draw_axes(ui, state, rect);
-  if (state.live) draw_banner(ui, *state.live, rect);
+  if (state.live) draw_banner(ui, *state.live, rect, buttons.y0 > rect.centre_y() ? buttons.y0 : rect.y1);
   if (state.picture == nullptr && state.picture_error.empty()) {
     ImGui::SetCursorScreenPos({rect.x1 - ui.px(40), rect.y1 - ui.px(40)});
     spinner(ui, ui.px(14), ui.theme().text_dim);
