@@ -1,6 +1,6 @@
+#include "engine/demonstration/quality.h"
 #include "ui/command_rows.h"
 #include "ui/icons.h"
-#include "ui/idle.h"
 
 namespace trocar::ui {
 namespace {
@@ -57,11 +57,6 @@ std::string cannot_train(const State& state) {
   return state.project->demonstrations.empty() ? "There is no demonstration to learn from" : "";
 }
 
-std::string cannot_trim_idle(const State& state) {
-  if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
-  return idle_trim(*selected_demonstration(state)) ? "" : "Both ends move: there is nothing idle to trim";
-}
-
 Requests undo(const State&) {
   return one(Command{Undo{}});
 }
@@ -83,7 +78,7 @@ Requests trim_out(const State& state) {
 }
 
 Requests trim_idle(const State& state) {
-  const auto gates = idle_trim(*selected_demonstration(state));
+  const auto gates = demonstration::idle_ends(*selected_demonstration(state));
   return gates ? trim(state, gates->from_s, gates->to_s) : Requests{};
 }
 
@@ -191,7 +186,7 @@ constexpr std::array<RowData, 12> kEditRows{{
      icon::kCut,
      {"Ctrl+Shift+T"},
      false,
-     cannot_trim_idle,
+     cannot_edit,
      trim_idle},
     {"edit.remove_demonstration",
      "Edit",

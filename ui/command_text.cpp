@@ -4,6 +4,8 @@
 
 #include <cctype>
 
+#include "engine/demonstration/edit_words.h"
+
 namespace trocar::ui {
 namespace {
 
@@ -22,17 +24,31 @@ struct EditText {
   // The command line does not remove; there is nothing to copy.
   std::string operator()(const RemoveDemonstration&) const { return ""; }
   std::string operator()(const RemoveModel&) const { return ""; }
+  static std::string words(const demonstration::Edit& edit) {
+    std::string text;
+    for (const std::string& word : demonstration::to_words(edit))
+      text += fmt::format("{}{}", text.empty() ? "" : " ", shell_word(word));
+    return text;
+  }
+  std::string stack(DemonstrationId demonstration, std::int64_t entry, const std::string& change) const {
+    return fmt::format("trocar demo stack {} {} {} {}", project, demonstration.value, entry, change);
+  }
+  std::string operator()(const MoveStackEntry& edit) const {
+    return stack(edit.demonstration, edit.entry, fmt::format("move {}", edit.place + 1));
+  }
+  std::string operator()(const EnableStackEntry& edit) const {
+    return stack(edit.demonstration, edit.entry, edit.enabled ? "enable" : "disable");
+  }
+  std::string operator()(const ReplaceStackEntry& edit) const {
+    return stack(edit.demonstration, edit.entry, "change " + words(edit.edit));
+  }
+  std::string operator()(const NameStackEntry& edit) const {
+    return stack(edit.demonstration, edit.entry, "name " + shell_word(edit.name));
+  }
+  std::string operator()(const RemoveStackEntry& edit) const { return stack(edit.demonstration, edit.entry, "remove"); }
   std::string operator()(const EditDemonstration& edit) const {
     const std::string head = fmt::format("trocar demo edit {} {} ", project, edit.demonstration.value);
-    if (const auto* trim = std::get_if<demonstration::Trim>(&edit.edit)) {
-      return head + fmt::format("trim --from {:.3f} --to {:.3f}", trim->from_s, trim->to_s);
-    }
-    if (const auto* rename = std::get_if<demonstration::Rename>(&edit.edit)) {
-      return head + "rename " + shell_word(rename->name);
-    }
-    const auto& label = std::get<demonstration::LabelSegment>(edit.edit);
-    return head + fmt::format("label {} --from {:.3f} --to {:.3f}", demonstration::letter(label.label), label.from_s,
-                              label.to_s);
+    return head + words(edit.edit);
   }
 };
 

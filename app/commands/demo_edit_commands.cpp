@@ -1,9 +1,15 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
+#include <map>
 
 #include "app/commands/demo_commands.h"
+#include "engine/demonstration/edit_fields.h"
+#include "engine/demonstration/edit_words.h"
 #include "engine/demonstration/quality.h"
 
 namespace trocar::app {
@@ -59,51 +65,160 @@ double within(const demonstration::Demonstration& document, double t_s) {
   return std::isfinite(t_s) ? std::clamp(t_s, 0.0, document.full_duration_s()) : t_s;
 }
 
-struct TrimArguments {
-  std::shared_ptr<const Target> target;
-  std::optional<double> from_s;
-  std::optional<double> to_s;
-  bool idle = false;
+template <typename Edited>
+concept HasSpan = requires(Edited& edit) {
+  edit.from_s;
+  edit.to_s;
 };
 
-Result<Answer> run_trim(const TrimArguments& arguments, Console& console) {
-  if (arguments.idle == (arguments.from_s.has_value() || arguments.to_s.has_value())) {
+demonstration::Edit kept_within(const demonstration::Demonstration& document, demonstration::Edit edit) {
+  std::visit(
+      [&]<typename Edited>(Edited& one) {
+        if constexpr (HasSpan<Edited>) {
+          one.from_s = within(document, one.from_s);
+          one.to_s = within(document, one.to_s);
+        }
+      },
+      edit);
+  return edit;
+}
+
+/// The words of one edit as they were typed.
+struct EditArguments {
+  std::shared_ptr<const Target> target;
+  std::string name;
+  std::map<std::string, std::string> options;  ///< By name, without dashes; those not given are empty.
+  std::vector<std::string> bare;
+  bool idle = false;  ///< Of trim alone.
+};
+
+/// A span that is not given is all between the gates; a label has to say what it covers.
+std::vector<std::string> words_of(const EditArguments& arguments, const demonstration::Demonstration& document) {
+  std::vector<std::string> words{arguments.name};
+  words.insert(words.end(), arguments.bare.begin(), arguments.bare.end());
+  for (const auto& [option, value] : arguments.options) {
+    std::string given = value;
+    if (given.empty() && option == "from") given = fmt::format("{}", document.begin_s);
+    if (given.empty() && option == "to") given = fmt::format("{}", document.end_s);
+    if (!given.empty()) words.push_back(fmt::format("--{}={}", option, given));
+  }
+  return words;
+}
+
+Result<Answer> run_edit(const EditArguments& arguments, Console& console) {
+  const bool span_given = arguments.options.contains("from") &&
+                          !(arguments.options.at("from").empty() && arguments.options.at("to").empty());
+  if (arguments.name == demonstration::Trim::kName && arguments.idle == span_given) {
     return fail(ErrorCode::kInvalidArgument, "trim needs --from, --to or both, or else --idle alone");
   }
   return commit(*arguments.target, console,
                 [&](const demonstration::Demonstration& document) -> Result<std::optional<demonstration::Edit>> {
                   if (arguments.idle) return demonstration::idle_ends(document);
-                  return demonstration::Trim{within(document, arguments.from_s.value_or(document.begin_s)),
-                                             within(document, arguments.to_s.value_or(document.end_s))};
+                  TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit,
+                                          demonstration::edit_from_words(words_of(arguments, document)));
+                  return kept_within(document, std::move(edit));
                 });
 }
 
-struct RenameArguments {
-  std::shared_ptr<const Target> target;
-  std::string name;
+/// Makes an option of the command line from each parameter of an edit.
+struct OptionMaker {
+  CLI::App& verb;
+  EditArguments& arguments;
+  bool whole = false;  ///< The span must be given.
+
+  template <typename Value>
+  void field(const demonstration::Field& field, const Value&) {
+    const demonstration::TypedField how = demonstration::typed(field.key);
+    if (field.positional) {
+      std::string name = how.option;
+      std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+      arguments.bare.emplace_back();
+      verb.add_option_function<std::string>(
+              name,
+              [this_bare = arguments.bare.size() - 1, &list = arguments.bare](const std::string& text) {
+                list[this_bare] = text;
+              },
+              field.help)
+          ->required();
+      return;
+    }
+    CLI::Option* option = verb.add_option("--" + how.option, arguments.options[how.option],
+                                          how.unit.empty() ? field.help : fmt::format("{}, {}", field.help, how.unit));
+    if (whole && (how.option == "from" || how.option == "to")) option->required();
+  }
 };
 
-Result<Answer> run_rename(const RenameArguments& arguments, Console& console) {
-  return commit(*arguments.target, console,
-                [&](const demonstration::Demonstration&) -> Result<std::optional<demonstration::Edit>> {
-                  return demonstration::Rename{arguments.name};
-                });
+struct StackArguments {
+  Target target;
+  std::int64_t entry = 0;
+  std::string change;
+  std::vector<std::string> words;
+};
+
+Result<workbench::Edit> stack_edit(const StackArguments& arguments, demonstration::DemonstrationId id) {
+  const std::int64_t entry = arguments.entry;
+  const std::size_t words = arguments.words.size();
+  if (arguments.change == "enable" && words == 0) return workbench::EnableStackEntry{id, entry, true};
+  if (arguments.change == "disable" && words == 0) return workbench::EnableStackEntry{id, entry, false};
+  if (arguments.change == "remove" && words == 0) return workbench::RemoveStackEntry{id, entry};
+  if (arguments.change == "name" && words == 1) return workbench::NameStackEntry{id, entry, arguments.words.front()};
+  if (arguments.change == "move" && words == 1) {
+    int place = 0;
+    const std::string& text = arguments.words.front();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), place);
+    if (error == std::errc() && end == text.data() + text.size() && place >= 1) {
+      return workbench::MoveStackEntry{id, entry, place - 1};
+    }
+    return fail(ErrorCode::kInvalidArgument, fmt::format("a place is a whole number from 1, not {}", text));
+  }
+  if (arguments.change == "change") {
+    TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit, demonstration::edit_from_words(arguments.words));
+    return workbench::ReplaceStackEntry{id, entry, std::move(edit)};
+  }
+  return fail(ErrorCode::kInvalidArgument,
+              "the change of an edit is enable, disable, remove, name NAME, move PLACE or change EDIT PARAMETERS");
 }
 
-struct LabelArguments {
-  std::shared_ptr<const Target> target;
-  std::string segment;
-  double from_s = 0.0;
-  double to_s = 0.0;
-};
+Json stack_json(const demonstration::Demonstration& document) {
+  Json list = Json::array();
+  for (const demonstration::StackEntry& entry : *document.stack) {
+    list.push_back({{"id", entry.id},
+                    {"edit", std::string(demonstration::name_of(*entry.edit))},
+                    {"words", demonstration::to_words(*entry.edit)},
+                    {"enabled", entry.enabled},
+                    {"name", entry.name}});
+  }
+  return list;
+}
 
-Result<Answer> run_label(const LabelArguments& arguments, Console& console) {
-  return commit(*arguments.target, console,
-                [&](const demonstration::Demonstration& document) -> Result<std::optional<demonstration::Edit>> {
-                  TROCAR_ASSIGN_OR_RETURN(const demonstration::Segment segment, segment_from(arguments.segment));
-                  return demonstration::LabelSegment{segment, within(document, arguments.from_s),
-                                                     within(document, arguments.to_s)};
-                });
+std::string stack_text(const demonstration::Demonstration& document) {
+  std::string text;
+  for (const demonstration::StackEntry& entry : *document.stack) {
+    text +=
+        fmt::format("{}{:>4}  {:<4} {}{}", text.empty() ? "" : "\n", entry.id, entry.enabled ? "on" : "off",
+                    entry.name.empty() ? "" : entry.name + ": ", fmt::join(demonstration::to_words(*entry.edit), " "));
+  }
+  return text.empty() ? "no edits" : text;
+}
+
+Result<Answer> run_stack(const StackArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(arguments.target.project, console));
+  TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), arguments.target.demonstration));
+  Answer answer;
+  if (!arguments.change.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(const workbench::Edit edit, stack_edit(arguments, before->id));
+    answer.summary = workbench::describe(edit, *file.project());
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(edit));
+    answer.json["id"] = id;
+  }
+  const auto after = file.project()->demonstrations.at(before->id);
+  answer.json["demonstration"] = after->id.value;
+  answer.json["hash_before"] = hash_text(before->hash());
+  answer.json["hash"] = hash_text(after->hash());
+  answer.json["stack"] = stack_json(*after);
+  answer.text = stack_text(*after);
+  if (answer.summary.empty()) answer.summary = fmt::format("{} edits", after->stack->size());
+  return answer;
 }
 
 struct RemoveArguments {
@@ -135,31 +250,31 @@ void add_demo_edit_commands(CLI::App& noun, Action& chosen) {
   bind_target(edit, *target);
   edit.require_subcommand(1);
 
-  add_verb<TrimArguments>(
-      edit, chosen, "trim", "Move the gates; the recording keeps everything",
-      [target](CLI::App& verb, TrimArguments& a) {
-        a.target = target;
-        verb.add_option("--from", a.from_s, "New begin in seconds");
-        verb.add_option("--to", a.to_s, "New end in seconds");
-        verb.add_flag("--idle", a.idle, "Cut both ends where neither tool moves");
+  demonstration::for_each_edit([&]<typename Edited>(const Edited*) {
+    add_verb<EditArguments>(
+        edit, chosen, std::string(Edited::kName), std::string(Edited::kHelp),
+        [target](CLI::App& verb, EditArguments& a) {
+          a.target = target;
+          a.name = Edited::kName;
+          OptionMaker maker{verb, a, std::is_same_v<Edited, demonstration::LabelSegment>};
+          const Edited defaults;
+          demonstration::visit_fields(maker, defaults);
+          if (std::is_same_v<Edited, demonstration::Trim>) {
+            verb.add_flag("--idle", a.idle, "Cut both ends where neither tool moves");
+          }
+        },
+        run_edit);
+  });
+  add_verb<StackArguments>(
+      noun, chosen, "stack", "List the edits of a demonstration, or change one of them afterwards",
+      [](CLI::App& verb, StackArguments& a) {
+        bind_target(verb, a.target);
+        verb.add_option("EDIT", a.entry, "The id of an edit, from the list");
+        verb.add_option("CHANGE", a.change, "enable, disable, remove, name, move or change");
+        verb.add_option("WORDS", a.words, "The name, the place, or the edit with all its parameters");
+        verb.prefix_command();
       },
-      run_trim);
-  add_verb<RenameArguments>(
-      edit, chosen, "rename", "Give another name",
-      [target](CLI::App& verb, RenameArguments& a) {
-        a.target = target;
-        verb.add_option("NAME", a.name, "The new name")->required();
-      },
-      run_rename);
-  add_verb<LabelArguments>(
-      edit, chosen, "label", "Say which segment a span is",
-      [target](CLI::App& verb, LabelArguments& a) {
-        a.target = target;
-        verb.add_option("SEGMENT", a.segment, "A, B, C, D or E")->required();
-        verb.add_option("--from", a.from_s, "Begin in seconds")->required();
-        verb.add_option("--to", a.to_s, "End in seconds")->required();
-      },
-      run_label);
+      run_stack);
   add_verb<RemoveArguments>(
       noun, chosen, "remove", "Take a demonstration out of the project",
       [](CLI::App& verb, RemoveArguments& a) { bind_target(verb, a.target); }, run_remove);

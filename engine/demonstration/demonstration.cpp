@@ -1,6 +1,7 @@
 #include "engine/demonstration/demonstration.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/core/check.h"
@@ -12,9 +13,14 @@ namespace {
 /// Times are whole ticks divided by 1000; a gate typed as a decimal may differ from them in the last bit.
 constexpr double kTimeTolerance_s = 1e-9;
 
+/// In ticks, kept where a whole number can hold it.
+double ticks(double t_s) {
+  return std::clamp(t_s, -1e9, 1e9) * static_cast<double>(Tick::kPerSecond);
+}
+
 std::vector<SegmentSpan> recorded_spans(const Demonstration& document) {
   std::vector<SegmentSpan> spans;
-  for (const Sample& sample : *document.samples) {
+  for (const Sample& sample : document.samples) {
     const double t_s = document.time_of(sample);
     if (!spans.empty() && spans.back().label == sample.segment) continue;
     if (!spans.empty()) spans.back().end_s = t_s;
@@ -32,24 +38,36 @@ double Demonstration::time_of(const Sample& sample) const {
 }
 
 double Demonstration::full_duration_s() const {
-  return time_of(samples->back());
+  return samples.empty() ? 0.0 : Tick{samples.tick(samples.size() - 1) - first_tick()}.seconds();
 }
 
-std::span<const Sample> Demonstration::gated() const {
-  const auto first = std::partition_point(samples->begin(), samples->end(), [&](const Sample& sample) {
-    return time_of(sample) < begin_s - kTimeTolerance_s;
-  });
-  const auto last = std::partition_point(
-      first, samples->end(), [&](const Sample& sample) { return time_of(sample) <= end_s + kTimeTolerance_s; });
-  return {first, last};
+std::int64_t Demonstration::first_tick() const {
+  return recording->samples.front().tick;
 }
 
-const Sample& Demonstration::sample_at(double t_s) const {
-  const std::span<const Sample> inside = gated();
+std::int64_t Demonstration::tick_from(double t_s) const {
+  return first_tick() + static_cast<std::int64_t>(std::ceil(ticks(t_s - kTimeTolerance_s)));
+}
+
+std::int64_t Demonstration::tick_after(double t_s) const {
+  return first_tick() + static_cast<std::int64_t>(std::floor(ticks(t_s + kTimeTolerance_s))) + 1;
+}
+
+SampleTrack Demonstration::gated() const {
+  return samples_within(begin_s, end_s);
+}
+
+SampleTrack Demonstration::samples_within(double from_s, double to_s) const {
+  const std::size_t first = samples.lower_bound(tick_from(from_s));
+  const std::size_t last = samples.lower_bound(tick_after(to_s));
+  return samples.slice(first, last > first ? last - first : 0);
+}
+
+Sample Demonstration::sample_at(double t_s) const {
+  const SampleTrack inside = gated();
   TROCAR_CHECK(!inside.empty());
-  const auto after = std::partition_point(
-      inside.begin(), inside.end(), [&](const Sample& sample) { return time_of(sample) <= t_s + kTimeTolerance_s; });
-  return after == inside.begin() ? inside.front() : *(after - 1);
+  const std::size_t after = inside.lower_bound(tick_after(t_s));
+  return inside[after == 0 ? 0 : after - 1];
 }
 
 std::optional<SegmentSpan> Demonstration::segment(Segment label) const {
@@ -60,23 +78,34 @@ std::optional<SegmentSpan> Demonstration::segment(Segment label) const {
   return std::nullopt;
 }
 
-std::span<const Sample> Demonstration::samples_in(const SegmentSpan& span) const {
-  const std::span<const Sample> inside = gated();
-  const auto before = [&](double limit_s) {
-    return [this, limit_s](const Sample& sample) { return time_of(sample) < limit_s - kTimeTolerance_s; };
-  };
-  const auto first = std::partition_point(inside.begin(), inside.end(), before(span.begin_s));
-  const bool to_the_end = !inside.empty() && span.end_s >= time_of(inside.back()) - kTimeTolerance_s;
-  const auto last = to_the_end ? inside.end() : std::partition_point(first, inside.end(), before(span.end_s));
-  return {first, last};
+SampleTrack Demonstration::samples_in(const SegmentSpan& span) const {
+  const SampleTrack inside = gated();
+  const std::size_t first = inside.lower_bound(tick_from(span.begin_s));
+  const bool to_the_end = !inside.empty() && tick_from(span.end_s) >= inside.tick(inside.size() - 1);
+  const std::size_t last = to_the_end ? inside.size() : inside.lower_bound(tick_from(span.end_s));
+  return inside.slice(first, last > first ? last - first : 0);
 }
 
 std::uint64_t Demonstration::hash() const {
   Hasher hasher;
-  hasher.value(samples_hash != 0 ? samples_hash : hash_of(*samples)).value(begin_s).value(end_s);
+  hasher.value(samples.hash()).value(begin_s).value(end_s);
   hasher.value(segments.size());
   for (const SegmentSpan& span : segments) hasher.value(span.label).value(span.begin_s).value(span.end_s);
   return hasher.digest();
+}
+
+Demonstration original_of(const Demonstration& document) {
+  Demonstration original;
+  original.id = document.id;
+  original.name = document.name;
+  original.recording = document.recording;
+  original.recorded = document.recorded;
+  original.samples = document.recorded;
+  original.block = document.recording->provenance.block;
+  original.goal = document.recording->provenance.goal;
+  original.end_s = original.full_duration_s();
+  original.segments = recorded_spans(original);
+  return original;
 }
 
 Result<Demonstration> make_demonstration(DemonstrationId id, std::string name,
@@ -88,12 +117,10 @@ Result<Demonstration> make_demonstration(DemonstrationId id, std::string name,
   Demonstration document;
   document.id = id;
   document.name = std::move(name);
-  document.samples = std::shared_ptr<const std::vector<Sample>>(recording, &recording->samples);
-  document.samples_hash = hash_of(recording->samples);
+  document.recorded = SampleTrack(
+      std::make_shared<const SampleBlock>(std::shared_ptr<const std::vector<Sample>>(recording, &recording->samples)));
   document.recording = std::move(recording);
-  document.end_s = document.full_duration_s();
-  document.segments = recorded_spans(document);
-  return document;
+  return original_of(document);
 }
 
 }  // namespace trocar::demonstration

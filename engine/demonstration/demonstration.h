@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/core/id.h"
 #include "engine/core/result.h"
+#include "engine/demonstration/edit_stack.h"
 #include "engine/demonstration/recording.h"
+#include "engine/demonstration/sample_track.h"
 
 namespace trocar::demonstration {
 
@@ -24,35 +25,59 @@ struct SegmentSpan {
   bool operator==(const SegmentSpan&) const = default;
 };
 
+/// A word about an instant (`begin_s == end_s`) or a span.
+struct Note {
+  std::int64_t id = 0;  ///< Of the edit that added it.
+  double begin_s = 0.0;
+  double end_s = 0.0;
+  std::string text;
+  std::string tag;
+  int rating = 0;  ///< 0: none, else 1 … 5.
+};
+
 /// Immutable value. Times are seconds since the recording's first sample, also after a trim, so that labels stay put.
 struct Demonstration {
   DemonstrationId id;
   std::string name;
   std::shared_ptr<const Recording> recording;
-  /// The effective trajectory before gates; shared with the recording until an edit changes samples.
-  std::shared_ptr<const std::vector<Sample>> samples;
+  /// The effective trajectory before gates; shares with the recording what no edit has changed.
+  SampleTrack samples;
+  SampleTrack recorded;  ///< As it was before all edits.
+  /// The edits that led from `recorded` here; never null.
+  std::shared_ptr<const EditStack> stack = std::make_shared<const EditStack>();
   double begin_s = 0.0;               ///< Gate: samples before are kept but not used.
   double end_s = 0.0;                 ///< Gate, inclusive.
   std::vector<SegmentSpan> segments;  ///< By begin, not overlapping.
-  /// `hash_of(*samples)`, kept by whoever sets `samples` so that `hash()` is cheap; 0: not known.
-  std::uint64_t samples_hash = 0;
+  std::vector<Note> notes;            ///< By begin.
+  int block = 0;                      ///< The target block and the goal peg, as recorded or retargeted.
+  int goal = 0;
 
   /// The time of the last sample, gated or not.
   double full_duration_s() const;
+  /// The tick at which the demonstration's time is 0.
+  std::int64_t first_tick() const;
+  /// The first tick at or after `t_s`, and the first one after it.
+  std::int64_t tick_from(double t_s) const;
+  std::int64_t tick_after(double t_s) const;
+  /// The samples from `from_s` to `to_s`, both included.
+  SampleTrack samples_within(double from_s, double to_s) const;
   /// The samples between the gates.
-  std::span<const Sample> gated() const;
+  SampleTrack gated() const;
   /// Of `sample` since the recording's first sample, in seconds.
   double time_of(const Sample& sample) const;
   /// The last gated sample at or before `t_s`; precondition: `gated()` is not empty.
-  const Sample& sample_at(double t_s) const;
+  Sample sample_at(double t_s) const;
   double duration_s() const { return end_s - begin_s; }
   /// The first span with that label, cut to the gates.
   std::optional<SegmentSpan> segment(Segment label) const;
   /// The gated samples of a span; the last gated sample belongs to a span that ends there.
-  std::span<const Sample> samples_in(const SegmentSpan& span) const;
+  SampleTrack samples_in(const SegmentSpan& span) const;
   /// Of everything but the id and the name (samples, gates, labels): the version that a model was trained on.
   std::uint64_t hash() const;
 };
+
+/// The demonstration as it was recorded, with its id and name.
+Demonstration original_of(const Demonstration& document);
 
 /// A demonstration of a whole recording, segments taken from the samples' own labels.
 /// Errors: kInvalidArgument if the recording has fewer than 2 samples or one that is not finite or out of order.

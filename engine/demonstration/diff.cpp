@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "engine/core/check.h"
 #include "engine/demonstration/motion.h"
 
 namespace trocar::demonstration {
@@ -36,7 +34,7 @@ class Deviation {
   long count_ = 0;
 };
 
-void match_ticks(std::span<const Sample> before, std::span<const Sample> after, Difference& difference) {
+void match_ticks(SampleTrack before, SampleTrack after, Difference& difference) {
   Deviation deviation;
   std::size_t i = 0;
   std::size_t j = 0;
@@ -59,7 +57,7 @@ void match_ticks(std::span<const Sample> before, std::span<const Sample> after, 
 
 /// The tip of `arm` at `t_s` since the begin gate, between two samples; precondition: within the gated samples.
 Eigen::Vector3d tip_at(const Demonstration& document, double t_s, std::size_t arm) {
-  const std::span<const Sample> samples = document.gated();
+  const SampleTrack samples = document.gated();
   const double start_s = document.time_of(samples.front());
   const auto after = std::partition_point(samples.begin(), samples.end(), [&](const Sample& sample) {
     return document.time_of(sample) - start_s < t_s - kTimeTolerance_s;
@@ -74,12 +72,12 @@ Eigen::Vector3d tip_at(const Demonstration& document, double t_s, std::size_t ar
 
 void match_times(const Demonstration& before, const Demonstration& after, Difference& difference) {
   const auto length_s = [](const Demonstration& document) {
-    const std::span<const Sample> samples = document.gated();
+    const SampleTrack samples = document.gated();
     return document.time_of(samples.back()) - document.time_of(samples.front());
   };
   const double common_s = std::min(length_s(before), length_s(after)) + kTimeTolerance_s;
   const auto beyond = [&](const Demonstration& document) {
-    const std::span<const Sample> samples = document.gated();
+    const SampleTrack samples = document.gated();
     const double start_s = document.time_of(samples.front());
     return static_cast<int>(std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
       return document.time_of(sample) - start_s > common_s;
@@ -103,8 +101,8 @@ void match_times(const Demonstration& before, const Demonstration& after, Differ
 Difference difference(const Demonstration& before, const Demonstration& after) {
   Difference result;
   result.duration_change_s = after.duration_s() - before.duration_s();
-  const std::span<const Sample> old_samples = before.gated();
-  const std::span<const Sample> new_samples = after.gated();
+  const SampleTrack old_samples = before.gated();
+  const SampleTrack new_samples = after.gated();
   const bool one_recording =
       before.recording == after.recording || (before.recording->id && before.recording->id == after.recording->id);
   if (one_recording || old_samples.empty() || new_samples.empty()) {
@@ -113,12 +111,6 @@ Difference difference(const Demonstration& before, const Demonstration& after) {
     match_times(before, after, result);
   }
   return result;
-}
-
-Demonstration original_of(const Demonstration& document) {
-  Result<Demonstration> original = make_demonstration(document.id, document.name, document.recording);
-  TROCAR_CHECK(original.has_value());
-  return std::move(*original);
 }
 
 }  // namespace trocar::demonstration

@@ -19,7 +19,4 @@ struct Difference {
 /// `before` interpolated, so that what one is longer by counts as removed or added.
 Difference difference(const Demonstration& before, const Demonstration& after);
 
-/// The demonstration as it was recorded, with its id and name.
-Demonstration original_of(const Demonstration& document);
-
 }  // namespace trocar::demonstration

@@ -7,15 +7,13 @@
 #include <cstdlib>
 
 namespace trocar::demonstration {
-namespace {
 
 using spatial::CellCoordinates;
 using spatial::CellIndex;
 using spatial::Grid;
 
-/// Appends the cells after `from` up to `to`, one action each, in the order in which the line between the two centres
-/// crosses the faces.
-void walk(const Grid& grid, CellIndex from, CellIndex to, std::vector<CellIndex>& cells) {
+std::vector<CellIndex> steps_between(const Grid& grid, CellIndex from, CellIndex to) {
+  std::vector<CellIndex> cells;
   const CellCoordinates a = grid.coordinates(from);
   const CellCoordinates b = grid.coordinates(to);
   const std::array<int, 3> difference{b.x - a.x, b.y - a.y, b.z - a.z};
@@ -35,9 +33,8 @@ void walk(const Grid& grid, CellIndex from, CellIndex to, std::vector<CellIndex>
     ++taken[next];
     cells.push_back(grid.index({at[0], at[1], at[2]}));
   }
+  return cells;
 }
-
-}  // namespace
 
 Result<CellPath> discretise(const Demonstration& demonstration, Segment label, const Grid& grid) {
   const std::optional<SegmentSpan> span = demonstration.segment(label);
@@ -62,7 +59,7 @@ Result<CellPath> discretise(const Demonstration& demonstration, Segment label, c
     if (path.cells.empty()) {
       path.cells.push_back(*cell);
     } else {
-      walk(grid, path.cells.back(), *cell, path.cells);
+      for (const CellIndex next : steps_between(grid, path.cells.back(), *cell)) path.cells.push_back(next);
     }
   }
   if (path.cells.size() < 2) {

@@ -15,6 +15,11 @@ struct CellPath {
   int outside = 0;  ///< Samples outside of the lattice, left out.
 };
 
+/// The cells after `from` up to `to`, one action each, in the order in which the line between the two centres crosses
+/// the faces; ties x, y, z. Empty if they are the same.
+std::vector<spatial::CellIndex> steps_between(const spatial::Grid& grid, spatial::CellIndex from,
+                                              spatial::CellIndex to);
+
 /// The left tool tip's measured path during `label`, as cells. Diagonal steps are filled with single actions along the
 /// line between the two cell centres, ties broken x, y, z.
 /// Errors: kInvalidArgument if the segment is missing, or fewer than 2 cells remain.

@@ -60,7 +60,7 @@ std::vector<MotionPoint> motion_of(const Demonstration& document, std::size_t ar
 }
 
 double path_length_m(const Demonstration& document, std::size_t arm) {
-  const std::span<const Sample> samples = document.gated();
+  const SampleTrack samples = document.gated();
   double length_m = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     length_m += (measured_tip(samples[i], arm) - measured_tip(samples[i - 1], arm)).norm();

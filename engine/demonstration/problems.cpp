@@ -60,7 +60,7 @@ void check_numbers(const Demonstration& document, Problems& found) {
 }
 
 void check_time(const Demonstration& document, Problems& found) {
-  const std::span<const Sample> samples = document.gated();
+  const SampleTrack samples = document.gated();
   std::vector<std::int64_t> steps;
   for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples[i].tick - samples[i - 1].tick);
   if (steps.empty()) return;

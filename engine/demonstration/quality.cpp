@@ -12,18 +12,18 @@ namespace {
 constexpr double kSpeedWindow_s = 0.05;
 constexpr double kIdleJaw_rad_s = 0.05;
 
-bool moves(const Sample& before, const Sample& after, double dt_s) {
+bool moves(const Sample& before, const Sample& after, double dt_s, double speed_m_s) {
   for (std::size_t arm = 0; arm < 2; ++arm) {
     const double distance_m = (measured_tip(after, arm) - measured_tip(before, arm)).norm();
     const double jaw_rad = std::abs(static_cast<double>(after.arms[arm].jaw_rad - before.arms[arm].jaw_rad));
-    if (distance_m >= kIdleSpeed_m_s * dt_s || jaw_rad >= kIdleJaw_rad_s * dt_s) return true;
+    if (distance_m >= speed_m_s * dt_s || jaw_rad >= kIdleJaw_rad_s * dt_s) return true;
   }
   return false;
 }
 
 /// For each gated sample, whether anything moves in the tenth of a second around it.
-std::vector<bool> moving(const Demonstration& document) {
-  const std::span<const Sample> samples = document.gated();
+std::vector<bool> moving(const Demonstration& document, double speed_m_s) {
+  const std::vector<Sample> samples = document.gated().to_vector();
   std::vector<bool> result(samples.size());
   std::size_t first = 0;
   std::size_t last = 0;
@@ -32,7 +32,7 @@ std::vector<bool> moving(const Demonstration& document) {
     while (document.time_of(samples[first]) < t_s - kSpeedWindow_s) ++first;
     while (last + 1 < samples.size() && document.time_of(samples[last + 1]) <= t_s + kSpeedWindow_s) ++last;
     const double dt_s = document.time_of(samples[last]) - document.time_of(samples[first]);
-    result[i] = dt_s > 0.0 && moves(samples[first], samples[last], dt_s);
+    result[i] = dt_s > 0.0 && moves(samples[first], samples[last], dt_s, speed_m_s);
   }
   return result;
 }
@@ -40,7 +40,7 @@ std::vector<bool> moving(const Demonstration& document) {
 }  // namespace
 
 Quality quality(const Demonstration& document) {
-  const std::span<const Sample> samples = document.gated();
+  const SampleTrack samples = document.gated();
   Quality result;
   result.samples = static_cast<int>(samples.size());
   result.duration_s = document.duration_s();
@@ -56,23 +56,37 @@ Quality quality(const Demonstration& document) {
       result.mean_jerk_m_s3[arm] += point.jerk_m_s3 / static_cast<double>(points.size());
     }
   }
-  const std::vector<bool> flags = moving(document);
+  const std::vector<bool> flags = moving(document, kIdleSpeed_m_s);
   const auto idle = std::count(flags.begin(), flags.end(), false);
   result.idle_share = static_cast<double>(idle) / static_cast<double>(flags.size());
   return result;
 }
 
-std::optional<Trim> idle_ends(const Demonstration& document) {
-  const std::span<const Sample> samples = document.gated();
-  const std::vector<bool> flags = moving(document);
+std::vector<IdleSpan> idle_spans(const Demonstration& document, const IdleOptions& options) {
+  const SampleTrack samples = document.gated();
+  const std::vector<bool> flags = moving(document, options.speed_m_s);
+  std::vector<IdleSpan> spans;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    if (flags[i]) continue;
+    const double begin_s = document.time_of(samples[i]);
+    while (i + 1 < flags.size() && !flags[i + 1]) ++i;
+    const double end_s = document.time_of(samples[i]);
+    if (end_s - begin_s > options.longer_s) spans.push_back({begin_s, end_s});
+  }
+  return spans;
+}
+
+std::optional<Trim> idle_ends(const Demonstration& document, const IdleOptions& options) {
+  const SampleTrack samples = document.gated();
+  const std::vector<bool> flags = moving(document, options.speed_m_s);
   const auto first = std::find(flags.begin(), flags.end(), true);
   if (first == flags.end()) return std::nullopt;
   const auto last = std::find(flags.rbegin(), flags.rend(), true);
   const double begin_s = document.time_of(samples[static_cast<std::size_t>(first - flags.begin())]);
   const double end_s = document.time_of(samples[static_cast<std::size_t>(flags.rend() - last - 1)]);
   Trim trim{document.begin_s, document.end_s};
-  if (begin_s - document.begin_s > kIdleTime_s) trim.from_s = begin_s - kIdleMargin_s;
-  if (document.end_s - end_s > kIdleTime_s) trim.to_s = end_s + kIdleMargin_s;
+  if (begin_s - document.begin_s > options.longer_s) trim.from_s = begin_s - options.margin_s;
+  if (document.end_s - end_s > options.longer_s) trim.to_s = end_s + options.margin_s;
   if (trim.from_s == document.begin_s && trim.to_s == document.end_s) return std::nullopt;
   return trim;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "engine/demonstration/edits.h"
 
@@ -12,7 +13,7 @@ namespace trocar::demonstration {
 constexpr double kIdleSpeed_m_s = 0.002;
 constexpr double kIdleTime_s = 0.3;
 /// What stays of an idle end when it is trimmed.
-constexpr double kIdleMargin_s = 0.05;
+constexpr double kIdleMargin_s = 0.1;
 
 /// Between the gates; arrays are by arm, left first.
 struct Quality {
@@ -27,8 +28,22 @@ struct Quality {
 };
 Quality quality(const Demonstration& document);
 
+struct IdleOptions {
+  double speed_m_s = kIdleSpeed_m_s;
+  double longer_s = kIdleTime_s;
+  double margin_s = kIdleMargin_s;
+};
+
+/// A stretch in which neither tool moves nor opens or closes.
+struct IdleSpan {
+  double begin_s = 0.0;
+  double end_s = 0.0;
+};
+/// Between the gates, by time, those longer than `options.longer_s`.
+std::vector<IdleSpan> idle_spans(const Demonstration& document, const IdleOptions& options = {});
+
 /// Leaves out what comes before the first motion and after the last one; nothing if neither end is idle for longer
-/// than `kIdleTime_s`, or nothing moves at all.
-std::optional<Trim> idle_ends(const Demonstration& document);
+/// than `options.longer_s`, or nothing moves at all.
+std::optional<Trim> idle_ends(const Demonstration& document, const IdleOptions& options = {});
 
 }  // namespace trocar::demonstration

@@ -129,7 +129,7 @@ const std::vector<Column>& columns() {
 }
 
 std::vector<Sample> table_samples(const demonstration::Demonstration& document) {
-  std::vector<Sample> samples(document.gated().begin(), document.gated().end());
+  std::vector<Sample> samples = document.gated().to_vector();
   const std::int64_t first = document.recording->samples.front().tick;
   for (Sample& sample : samples) {
     sample.tick -= first;
@@ -188,7 +188,7 @@ std::vector<std::string> lost_by_export(const demonstration::Demonstration& docu
   const demonstration::Recording& recording = *document.recording;
   if (!recording.initial_world.empty()) lossy.emplace_back("the simulated world before the first sample");
   if (!recording.hashes.empty()) lossy.emplace_back("the state hashes that a replay is checked against");
-  if (document.gated().size() < document.samples->size()) lossy.emplace_back("the samples outside of the gates");
+  if (document.gated().size() < document.samples.size()) lossy.emplace_back("the samples outside of the gates");
   return lossy;
 }
 

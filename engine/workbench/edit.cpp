@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "engine/demonstration/edit_sentence.h"
 #include "engine/demonstration/name.h"
 
 namespace trocar::workbench {
 namespace {
 
 using demonstration::Demonstration;
+using demonstration::EditStack;
+using demonstration::StackEntry;
 using DemonstrationEdit = demonstration::Edit;
 
 tl::unexpected<Error> no_demonstration(DemonstrationId id) {
@@ -35,13 +38,46 @@ struct Application {
     return edited;
   }
 
+  Result<Project> with(DemonstrationId id, Result<Demonstration> made) const {
+    if (!made) return tl::unexpected(std::move(made).error());
+    Project edited = project;
+    edited.demonstrations[id] = std::make_shared<const Demonstration>(std::move(*made));
+    return edited;
+  }
+
   Result<Project> operator()(const EditDemonstration& edit) const {
     const auto found = project.demonstrations.find(edit.demonstration);
     if (found == project.demonstrations.end()) return no_demonstration(edit.demonstration);
-    TROCAR_ASSIGN_OR_RETURN(Demonstration made, demonstration::apply(*found->second, edit.edit));
-    Project edited = project;
-    edited.demonstrations[edit.demonstration] = std::make_shared<const Demonstration>(std::move(made));
-    return edited;
+    return with(edit.demonstration, demonstration::apply(*found->second, edit.edit, new_id));
+  }
+
+  /// `change` makes another stack of the demonstration's.
+  template <typename Change>
+  Result<Project> restacked(DemonstrationId id, Change change) const {
+    const auto found = project.demonstrations.find(id);
+    if (found == project.demonstrations.end()) return no_demonstration(id);
+    TROCAR_ASSIGN_OR_RETURN(EditStack stack, change(*found->second->stack));
+    return with(id, demonstration::with_stack(*found->second, std::move(stack)));
+  }
+  Result<Project> operator()(const MoveStackEntry& edit) const {
+    return restacked(edit.demonstration,
+                     [&](const EditStack& stack) { return entry_moved(stack, edit.entry, edit.place); });
+  }
+  Result<Project> operator()(const EnableStackEntry& edit) const {
+    return restacked(edit.demonstration,
+                     [&](const EditStack& stack) { return entry_enabled(stack, edit.entry, edit.enabled); });
+  }
+  Result<Project> operator()(const ReplaceStackEntry& edit) const {
+    return restacked(edit.demonstration,
+                     [&](const EditStack& stack) { return entry_replaced(stack, edit.entry, edit.edit); });
+  }
+  Result<Project> operator()(const NameStackEntry& edit) const {
+    if (!edit.name.empty()) TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
+    return restacked(edit.demonstration,
+                     [&](const EditStack& stack) { return entry_named(stack, edit.entry, edit.name); });
+  }
+  Result<Project> operator()(const RemoveStackEntry& edit) const {
+    return restacked(edit.demonstration, [&](const EditStack& stack) { return entry_removed(stack, edit.entry); });
   }
 
   Result<Project> operator()(const AddModel& edit) const {
@@ -78,16 +114,36 @@ struct Description {
     return found == before.models.end() ? fmt::format("Remove model {}", edit.model.value)
                                         : fmt::format("Remove {}", found->second->name);
   }
+  /// What the user calls an edit of the stack.
+  std::string entry(DemonstrationId id, std::int64_t entry) const {
+    const auto found = before.demonstrations.find(id);
+    if (found != before.demonstrations.end()) {
+      for (const StackEntry& each : *found->second->stack) {
+        if (each.id == entry) return each.name.empty() ? std::string(name_of(*each.edit)) : each.name;
+      }
+    }
+    return fmt::format("edit {}", entry);
+  }
+  std::string operator()(const MoveStackEntry& edit) const {
+    return fmt::format("Move {} of {} to place {}", entry(edit.demonstration, edit.entry), name(edit.demonstration),
+                       edit.place + 1);
+  }
+  std::string operator()(const EnableStackEntry& edit) const {
+    return fmt::format("Switch {} of {} {}", entry(edit.demonstration, edit.entry), name(edit.demonstration),
+                       edit.enabled ? "on" : "off");
+  }
+  std::string operator()(const ReplaceStackEntry& edit) const {
+    return fmt::format("Change {} of {}", entry(edit.demonstration, edit.entry), name(edit.demonstration));
+  }
+  std::string operator()(const NameStackEntry& edit) const {
+    return fmt::format("Name {} of {} {}", entry(edit.demonstration, edit.entry), name(edit.demonstration), edit.name);
+  }
+  std::string operator()(const RemoveStackEntry& edit) const {
+    return fmt::format("Remove {} from {}", entry(edit.demonstration, edit.entry), name(edit.demonstration));
+  }
   std::string operator()(const EditDemonstration& edit) const {
     const std::string subject = name(edit.demonstration);
-    if (const auto* trim = std::get_if<demonstration::Trim>(&edit.edit)) {
-      return fmt::format("Trim {} to {:.2f}–{:.2f} s", subject, trim->from_s, trim->to_s);
-    }
-    if (const auto* label = std::get_if<demonstration::LabelSegment>(&edit.edit)) {
-      return fmt::format("Label {:.2f}–{:.2f} s of {} as {}", label->from_s, label->to_s, subject,
-                         demonstration::letter(label->label));
-    }
-    return fmt::format("Rename {} to {}", subject, std::get<demonstration::Rename>(edit.edit).name);
+    return demonstration::sentence(edit.edit, subject);
   }
 };
 

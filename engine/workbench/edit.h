@@ -29,6 +29,37 @@ struct EditDemonstration {
   demonstration::Edit edit;
 };
 
+/// Changes the stack of a demonstration: what was done to it, afterwards.
+struct MoveStackEntry {
+  static constexpr std::string_view kName = "move edit";
+  DemonstrationId demonstration;
+  std::int64_t entry = 0;
+  int place = 0;  ///< From 0.
+};
+struct EnableStackEntry {
+  static constexpr std::string_view kName = "enable edit";
+  DemonstrationId demonstration;
+  std::int64_t entry = 0;
+  bool enabled = true;
+};
+struct ReplaceStackEntry {
+  static constexpr std::string_view kName = "change edit";
+  DemonstrationId demonstration;
+  std::int64_t entry = 0;
+  demonstration::Edit edit;
+};
+struct NameStackEntry {
+  static constexpr std::string_view kName = "name edit";
+  DemonstrationId demonstration;
+  std::int64_t entry = 0;
+  std::string name;
+};
+struct RemoveStackEntry {
+  static constexpr std::string_view kName = "remove edit";
+  DemonstrationId demonstration;
+  std::int64_t entry = 0;
+};
+
 /// Puts a stored model into the project; its id is the journal row's id.
 struct AddModel {
   static constexpr std::string_view kName = "add model";
@@ -40,7 +71,8 @@ struct RemoveModel {
   ModelId model;
 };
 
-using Edit = std::variant<AddDemonstration, RemoveDemonstration, EditDemonstration, AddModel, RemoveModel>;
+using Edit = std::variant<AddDemonstration, RemoveDemonstration, EditDemonstration, MoveStackEntry, EnableStackEntry,
+                          ReplaceStackEntry, NameStackEntry, RemoveStackEntry, AddModel, RemoveModel>;
 
 /// Where `apply` finds the immutable blobs that edits name by id.
 class BlobSource {
@@ -52,7 +84,7 @@ class BlobSource {
 };
 
 /// Returns the edited project; `project` is untouched. `new_id` is the id for what the edit adds.
-/// Errors: kNotFound for an unknown id; those of `demonstration::apply`.
+/// Errors: kNotFound for an unknown id; those of `demonstration::apply` and `demonstration::with_stack`.
 Result<std::shared_ptr<const Project>> apply(const Project& project, const Edit& edit, std::int64_t new_id,
                                              const BlobSource& blobs);
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "engine/workbench/edit.h"
@@ -14,15 +15,39 @@ tl::unexpected<Error> corrupt(std::string message) {
 }
 
 struct Printer {
+  template <typename StackEdit>
+  static json entry_of(const StackEdit& edit) {
+    return {{"demonstration", edit.demonstration.value}, {"entry", edit.entry}};
+  }
+  static json with_edit(json object, const demonstration::Edit& edit) {
+    object["edit"] = std::string(demonstration::name_of(edit));
+    object["parameters"] = json::parse(demonstration::to_json(edit), nullptr, false);
+    return object;
+  }
   json operator()(const AddDemonstration& edit) const {
     return {{"recording", edit.recording.value}, {"name", edit.name}};
   }
   json operator()(const RemoveDemonstration& edit) const { return {{"demonstration", edit.demonstration.value}}; }
   json operator()(const EditDemonstration& edit) const {
-    return {{"demonstration", edit.demonstration.value},
-            {"edit", std::string(demonstration::name_of(edit.edit))},
-            {"parameters", json::parse(demonstration::to_json(edit.edit), nullptr, false)}};
+    return with_edit({{"demonstration", edit.demonstration.value}}, edit.edit);
   }
+  json operator()(const MoveStackEntry& edit) const {
+    json object = entry_of(edit);
+    object["place"] = edit.place;
+    return object;
+  }
+  json operator()(const EnableStackEntry& edit) const {
+    json object = entry_of(edit);
+    object["enabled"] = edit.enabled;
+    return object;
+  }
+  json operator()(const ReplaceStackEntry& edit) const { return with_edit(entry_of(edit), edit.edit); }
+  json operator()(const NameStackEntry& edit) const {
+    json object = entry_of(edit);
+    object["name"] = edit.name;
+    return object;
+  }
+  json operator()(const RemoveStackEntry& edit) const { return entry_of(edit); }
   json operator()(const AddModel& edit) const { return {{"object", edit.object}}; }
   json operator()(const RemoveModel& edit) const { return {{"model", edit.model.value}}; }
 };
@@ -49,14 +74,45 @@ Result<Edit> add_demonstration(const json& object) {
   return AddDemonstration{demonstration::RecordingId{recording}, std::move(name)};
 }
 
-Result<Edit> edit_demonstration(const json& object) {
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
+Result<demonstration::Edit> inner_edit(const json& object) {
   TROCAR_ASSIGN_OR_RETURN(const std::string name, text_at(object, "edit"));
   const auto parameters = object.find("parameters");
   if (parameters == object.end()) return corrupt("the edit has no parameters");
   const std::string text = parameters->dump(-1, ' ', false, json::error_handler_t::replace);
-  TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit, demonstration::edit_from_json(name, text));
+  return demonstration::edit_from_json(name, text);
+}
+
+Result<Edit> edit_demonstration(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
+  TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit, inner_edit(object));
   return EditDemonstration{DemonstrationId{id}, std::move(edit)};
+}
+
+/// The edits of a stack: all name a demonstration and an entry of it.
+Result<Edit> stack_edit(std::string_view name, const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t demonstration, id_at(object, "demonstration"));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t entry, id_at(object, "entry"));
+  const DemonstrationId id{demonstration};
+  if (name == MoveStackEntry::kName) {
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t place, id_at(object, "place"));
+    return MoveStackEntry{id, entry, static_cast<int>(std::clamp<std::int64_t>(place, 0, 1 << 30))};
+  }
+  if (name == EnableStackEntry::kName) {
+    const auto enabled = object.find("enabled");
+    if (enabled == object.end() || !enabled->is_boolean()) {
+      return corrupt("the parameter enabled must be there and be true or false");
+    }
+    return EnableStackEntry{id, entry, enabled->get<bool>()};
+  }
+  if (name == ReplaceStackEntry::kName) {
+    TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit, inner_edit(object));
+    return ReplaceStackEntry{id, entry, std::move(edit)};
+  }
+  if (name == NameStackEntry::kName) {
+    TROCAR_ASSIGN_OR_RETURN(std::string given, text_at(object, "name"));
+    return NameStackEntry{id, entry, std::move(given)};
+  }
+  return RemoveStackEntry{id, entry};
 }
 
 }  // namespace
@@ -70,6 +126,10 @@ Result<Edit> edit_from_json(std::string_view name, std::string_view text) {
   if (!object.is_object()) return corrupt("the parameters of an edit must be a JSON object");
   if (name == AddDemonstration::kName) return add_demonstration(object);
   if (name == EditDemonstration::kName) return edit_demonstration(object);
+  if (name == MoveStackEntry::kName || name == EnableStackEntry::kName || name == ReplaceStackEntry::kName ||
+      name == NameStackEntry::kName || name == RemoveStackEntry::kName) {
+    return stack_edit(name, object);
+  }
   if (name == RemoveDemonstration::kName) {
     TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
     return RemoveDemonstration{DemonstrationId{id}};

@@ -14,7 +14,7 @@ template <typename StateOf>
 std::vector<Run> runs(const demonstration::Demonstration& shown, StateOf state_of) {
   std::vector<Run> list;
   int state = 0;
-  for (const Sample& sample : *shown.samples) {
+  for (const Sample& sample : shown.samples) {
     const double t_s = shown.time_of(sample);
     const int now = state_of(sample);
     if (!list.empty() && state != 0) list.back().end_s = t_s;
@@ -37,7 +37,7 @@ void LaneData::find_runs(const demonstration::Demonstration& shown) {
   }
   jaw_low_ = 0.0F;
   jaw_high_ = 0.1F;
-  for (const Sample& sample : *shown.samples) {
+  for (const Sample& sample : shown.samples) {
     for (const auto& arm : sample.arms) {
       jaw_low_ = std::min(jaw_low_, arm.jaw_rad);
       jaw_high_ = std::max(jaw_high_, arm.jaw_rad);
@@ -47,17 +47,15 @@ void LaneData::find_runs(const demonstration::Demonstration& shown) {
 
 void LaneData::decimate(const demonstration::Demonstration& shown, const TimeRange& range, int columns) {
   for (auto& lane : jaw_) lane.assign(static_cast<std::size_t>(columns), Extent{1.0F, -1.0F});
-  const std::vector<Sample>& samples = *shown.samples;
-  const auto first = std::lower_bound(samples.begin(), samples.end(), range.begin_s - 0.02,
-                                      [&](const Sample& s, double t) { return shown.time_of(s) < t; });
-  for (auto it = first; it != samples.end(); ++it) {
-    const double place = (shown.time_of(*it) - range.begin_s) / range.span_s() * columns;
+  const demonstration::SampleTrack seen = shown.samples_within(range.begin_s - 0.02, range.end_s);
+  for (const Sample& sample : seen) {
+    const double place = (shown.time_of(sample) - range.begin_s) / range.span_s() * columns;
     if (place >= columns) break;
     if (place < 0.0) continue;
     const auto column = static_cast<std::size_t>(place);
     for (std::size_t arm = 0; arm < 2; ++arm) {
       Extent& extent = jaw_[arm][column];
-      const float value = it->arms[arm].jaw_rad;
+      const float value = sample.arms[arm].jaw_rad;
       extent = extent.low > extent.high ? Extent{value, value}
                                         : Extent{std::min(extent.low, value), std::max(extent.high, value)};
     }
@@ -65,7 +63,7 @@ void LaneData::decimate(const demonstration::Demonstration& shown, const TimeRan
 }
 
 void LaneData::update(const demonstration::Demonstration& shown, const TimeRange& range, int columns) {
-  const bool same_samples = samples_ == shown.samples;
+  const bool same_samples = samples_.same_pieces(shown.samples);
   if (!same_samples) {
     samples_ = shown.samples;
     find_runs(shown);

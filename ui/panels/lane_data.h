@@ -41,7 +41,7 @@ class LaneData {
   void find_runs(const demonstration::Demonstration& shown);
   void decimate(const demonstration::Demonstration& shown, const TimeRange& range, int columns);
 
-  std::shared_ptr<const std::vector<demonstration::Sample>> samples_;
+  demonstration::SampleTrack samples_;
   TimeRange range_{0.0, 0.0};
   int columns_ = 0;
   std::vector<Run> authority_;

@@ -19,7 +19,7 @@ constexpr double kLeast_s = 0.05;      // Between the gates.
 constexpr float kSpeedWidth = 266.0F;  // Of the speeds and Fit, at 100 %.
 
 double length_of(const demonstration::Demonstration& shown) {
-  return shown.samples->empty() ? 1.0 : shown.time_of(shown.samples->back());
+  return shown.samples.empty() ? 1.0 : shown.full_duration_s();
 }
 
 std::string trim_words(double in_s, double out_s) {
@@ -221,7 +221,7 @@ Requests TimelinePanel::draw(Ui& ui, const WorkbenchState& state) {
     return requests;
   }
   const auto shown = selected_demonstration(state);
-  if (shown == nullptr || shown->samples == nullptr || shown->gated().empty()) {
+  if (shown == nullptr || shown->gated().empty()) {
     const std::array<EmptyStateAction, 1> actions{
         {{"Record…", icon::kRecord, command("demo.record").reason_now(state), "Record a scripted transfer"}}};
     const std::string_view sentence = "Select a demonstration in the library, or record one";

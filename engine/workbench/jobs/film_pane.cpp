@@ -34,7 +34,7 @@ scene::Camera fitted(scene::Camera camera, int width, int height) {
 }  // namespace
 
 film::FrameCaption caption_of(const demonstration::Demonstration& shown, double at_s, double speed) {
-  const demonstration::Sample& sample = shown.sample_at(at_s);
+  const demonstration::Sample sample = shown.sample_at(at_s);
   film::FrameCaption caption;
   caption.title = shown.name;
   caption.time_s = at_s - shown.begin_s;

@@ -138,7 +138,7 @@ TEST_CASE("an idle end comes with the trim that removes it, and the trim removes
   Demonstration document = changed(1000, [](std::vector<Sample>& samples) { hold_still(samples, 800, 1000); });
   const auto found = of_kind(document, ProblemKind::kIdle);
   REQUIRE(found.size() == 1);
-  CHECK(found[0].fix.starts_with("trim --from 0.00 --to 4.0"));
+  CHECK(found[0].fix.starts_with("trim --from 0.00 --to 4.1"));
   const Demonstration trimmed = apply(document, idle_ends(document).value()).value();
   CHECK(of_kind(trimmed, ProblemKind::kIdle).empty());
   CHECK(trimmed.end_s > 4.0);
@@ -176,9 +176,9 @@ TEST_CASE("a hand-over needs a moment in which both arms hold the block") {
 
 TEST_CASE("a number that is not finite is reported and does not stop the other checks") {
   Demonstration document = moving_demonstration(1000);
-  auto samples = std::make_shared<std::vector<Sample>>(*document.samples);
-  (*samples)[10].arms[0].measured.p[0] = std::numeric_limits<float>::quiet_NaN();
-  document.samples = samples;
+  std::vector<Sample> samples = document.samples.to_vector();
+  samples[10].arms[0].measured.p[0] = std::numeric_limits<float>::quiet_NaN();
+  document.samples = SampleTrack(std::move(samples));
   document.segments.pop_back();
   const auto found = problems(document, spatial::Grid());
   CHECK(found[0].severity != Severity::kInfo);

@@ -48,7 +48,7 @@ Demonstration odd_demonstration(int count) {
 
 /// Equal to the bit, but for the first tick, from which an export counts.
 bool same_samples(const Demonstration& document, const std::vector<Sample>& read) {
-  std::vector<Sample> expected(document.gated().begin(), document.gated().end());
+  std::vector<Sample> expected = document.gated().to_vector();
   for (Sample& sample : expected) sample.tick -= document.recording->samples.front().tick;
   return expected.size() == read.size() &&
          std::memcmp(expected.data(), read.data(), expected.size() * sizeof(Sample)) == 0;

@@ -8,7 +8,6 @@
 #include "ui/command_text.h"
 #include "ui/driver/script.h"
 #include "ui/format.h"
-#include "ui/idle.h"
 #include "ui/panels/time_range.h"
 #include "ui/settings.h"
 #include "ui/shortcut.h"
@@ -184,16 +183,6 @@ TEST_CASE("zooming a time range keeps the time under the mouse in place") {
 TEST_CASE("marks of the ruler are round and not too close") {
   CHECK(ruler_step({0.0, 10.0}, 500.0F, 60.0F) == doctest::Approx(2.0));
   CHECK(ruler_step({0.0, 1.0}, 500.0F, 60.0F) == doctest::Approx(0.2));
-}
-
-TEST_CASE("idle ends are trimmed to a tenth of a second and a moving one is left alone") {
-  const auto state = testing::made_state();
-  const auto& shown = *state.project->demonstrations.at({1});
-  const auto trim = idle_trim(shown).value();
-  CHECK(trim.from_s == doctest::Approx(0.9));  // It rests for the first second.
-  CHECK(trim.to_s == doctest::Approx(6.1));
-  const auto trimmed = demonstration::apply(shown, demonstration::Edit{trim}).value();
-  CHECK_FALSE(idle_trim(trimmed));
 }
 
 TEST_CASE("the playhead steps by samples and to the edges of segments, within the gates") {

@@ -1,0 +1,191 @@
+/// The parameters of every edit, once: journal, command line, inspector and manual are made from this list.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "engine/demonstration/edit.h"
+
+namespace trocar::demonstration {
+
+/// What a parameter is called and means; the unit is in the key ("from_s").
+struct Field {
+  const char* key;
+  const char* help;
+  bool positional = false;  ///< On a command line its value stands alone, before the options.
+};
+
+/// The words for the values of an enumeration, by its number.
+template <typename Enum>
+std::span<const std::string_view> words_of();
+template <>
+std::span<const std::string_view> words_of<Segment>();
+template <>
+std::span<const std::string_view> words_of<Arms>();
+template <>
+std::span<const std::string_view> words_of<BridgeShape>();
+template <>
+std::span<const std::string_view> words_of<Falloff>();
+template <>
+std::span<const std::string_view> words_of<TurnFrame>();
+template <>
+std::span<const std::string_view> words_of<Filter>();
+template <>
+std::span<const std::string_view> words_of<RetimeTo>();
+
+/// Calls `act(const Edited*)`, a null pointer, for every kind of edit.
+template <typename Act>
+void for_each_edit(Act act) {
+  []<std::size_t... kIndex>(Act & each, std::index_sequence<kIndex...>) {
+    (each(static_cast<const std::variant_alternative_t<kIndex, Edit>*>(nullptr)), ...);
+  }
+  (act, std::make_index_sequence<std::variant_size_v<Edit>>());
+}
+
+// One overload for each edit: calls `visitor.field(Field, value)` for each parameter, in the order in which people say
+// them. `Of<Edited, Trim>` takes a `Trim&` or a `const Trim&`.
+template <typename Edited, typename Kind>
+concept Of = std::is_same_v<std::remove_const_t<Edited>, Kind>;
+
+template <typename Visitor, Of<Trim> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"from_s", "New begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "New end"}, edit.to_s);
+}
+template <typename Visitor, Of<TrimIdle> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"speed_m_s", "Slower is idle"}, edit.speed_m_s);
+  visitor.field(Field{"longer_s", "Shorter pauses stay"}, edit.longer_s);
+  visitor.field(Field{"keep_s", "What stays of each pause"}, edit.keep_s);
+  visitor.field(Field{"ends", "Trim the ends"}, edit.ends);
+  visitor.field(Field{"inside", "Cut pauses inside too"}, edit.inside);
+}
+template <typename Visitor, Of<Rename> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"name", "The new name", true}, edit.name);
+}
+template <typename Visitor, Of<LabelSegment> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"label", "Segment A, B, C, D or E", true}, edit.label);
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+}
+template <typename Visitor, Of<ProposeLabels> Edited>
+void visit_fields(Visitor& /*visitor*/, Edited& /*edit*/) {}
+template <typename Visitor, Of<DeleteSpan> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"ripple", "Close the gap"}, edit.ripple);
+}
+template <typename Visitor, Of<Bridge> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"arms", "Which arms"}, edit.arms);
+  visitor.field(Field{"shape", "Kind of motion"}, edit.shape);
+  visitor.field(Field{"peak_speed_m_s", "Sets the duration; 0: as it is"}, edit.peak_speed_m_s);
+  visitor.field(Field{"via_m", "Points to pass"}, edit.via_m);
+}
+template <typename Visitor, Of<MoveTool> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"arms", "Which arm"}, edit.arms);
+  visitor.field(Field{"at_s", "The middle"}, edit.at_s);
+  visitor.field(Field{"by_m", "How far, in the board frame"}, edit.by_m);
+  visitor.field(Field{"radius_s", "How far in time it reaches"}, edit.radius_s);
+  visitor.field(Field{"falloff", "How it fades"}, edit.falloff);
+}
+template <typename Visitor, Of<RotateTool> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"arms", "Which arm"}, edit.arms);
+  visitor.field(Field{"at_s", "The middle"}, edit.at_s);
+  visitor.field(Field{"by_rad", "Rotation vector"}, edit.by_rad);
+  visitor.field(Field{"frame", "Whose axes"}, edit.frame);
+  visitor.field(Field{"radius_s", "How far in time it reaches"}, edit.radius_s);
+  visitor.field(Field{"falloff", "How it fades"}, edit.falloff);
+}
+template <typename Visitor, Of<Offset> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"arms", "Which arms"}, edit.arms);
+  visitor.field(Field{"by_m", "How far, in the board frame"}, edit.by_m);
+}
+template <typename Visitor, Of<Smooth> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"arms", "Which arms"}, edit.arms);
+  visitor.field(Field{"filter", "Kind of filter"}, edit.filter);
+  visitor.field(Field{"width_s", "Of the window"}, edit.width_s);
+  visitor.field(Field{"max_deviation_m", "No sample moves further"}, edit.max_deviation_m);
+  visitor.field(Field{"lock_contacts", "Hold still where a grasp begins or ends"}, edit.lock_contacts);
+}
+template <typename Visitor, Of<Simplify> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"arms", "Which arm"}, edit.arms);
+  visitor.field(Field{"tolerance_m", "How far the path may move"}, edit.tolerance_m);
+}
+template <typename Visitor, Of<Resample> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"rate_hz", "The new rate"}, edit.rate_hz);
+}
+template <typename Visitor, Of<Retime> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"mode", "What is given"}, edit.mode);
+  visitor.field(Field{"scale", "Factor of the duration"}, edit.scale);
+  visitor.field(Field{"duration_s", "The new duration"}, edit.duration_s);
+  visitor.field(Field{"speed_m_s", "The speed of the faster tool"}, edit.speed_m_s);
+}
+template <typename Visitor, Of<SnapToGrid> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"arms", "Which arm"}, edit.arms);
+  visitor.field(Field{"keep_offset", "Keep the place within the cell"}, edit.keep_offset);
+}
+template <typename Visitor, Of<SetJaw> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"arms", "Which arm"}, edit.arms);
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"jaw_rad", "The opening"}, edit.jaw_rad);
+  visitor.field(Field{"ramp_s", "How long it takes"}, edit.ramp_s);
+}
+template <typename Visitor, Of<Mirror> Edited>
+void visit_fields(Visitor& /*visitor*/, Edited& /*edit*/) {}
+template <typename Visitor, Of<Retarget> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"block", "The block, 0 to 5"}, edit.block);
+  visitor.field(Field{"goal", "The goal peg, 0 to 5"}, edit.goal);
+}
+template <typename Visitor, Of<Perturb> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"sigma_m", "Standard deviation"}, edit.sigma_m);
+  visitor.field(Field{"period_s", "Over which it changes"}, edit.period_s);
+  visitor.field(Field{"seed", "Of the noise"}, edit.seed);
+}
+template <typename Visitor, Of<Revert> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+}
+template <typename Visitor, Of<AddNote> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"text", "What to say", true}, edit.text);
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"tag", "A word to find it by"}, edit.tag);
+  visitor.field(Field{"rating", "1 to 5; 0: none"}, edit.rating);
+}
+template <typename Visitor, Of<RemoveNote> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"note", "Its id", true}, edit.note);
+}
+
+}  // namespace trocar::demonstration

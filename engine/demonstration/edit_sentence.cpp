@@ -1,0 +1,100 @@
+#include "engine/demonstration/edit_sentence.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "engine/demonstration/edit_fields.h"
+
+namespace trocar::demonstration {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+std::string span(double from_s, double to_s) {
+  return fmt::format("{:.2f}–{:.2f} s", from_s, to_s);
+}
+
+/// "the left tool of Expert 1", "both tools of …".
+std::string tools(Arms arms, std::string_view name) {
+  if (arms == Arms::kBoth) return fmt::format("both tools of {}", name);
+  return fmt::format("the {} tool of {}", words_of<Arms>()[static_cast<std::size_t>(arms)], name);
+}
+
+struct Teller {
+  std::string_view name;
+
+  std::string operator()(const Trim& e) const { return fmt::format("Trim {} to {}", name, span(e.from_s, e.to_s)); }
+  std::string operator()(const TrimIdle& e) const {
+    return fmt::format("Leave out what is idle in {}{}", name, e.inside ? ", pauses too" : "");
+  }
+  std::string operator()(const Rename& e) const { return fmt::format("Rename {} to {}", name, e.name); }
+  std::string operator()(const LabelSegment& e) const {
+    return fmt::format("Label {} of {} as {}", span(e.from_s, e.to_s), name, letter(e.label));
+  }
+  std::string operator()(const ProposeLabels&) const { return fmt::format("Label the segments of {}", name); }
+  std::string operator()(const DeleteSpan& e) const {
+    return fmt::format("{} {} of {}", e.ripple ? "Delete" : "Lift", span(e.from_s, e.to_s), name);
+  }
+  std::string operator()(const Bridge& e) const {
+    return fmt::format("Bridge {} of {}, {}", span(e.from_s, e.to_s), tools(e.arms, name),
+                       words_of<BridgeShape>()[static_cast<std::size_t>(e.shape)]);
+  }
+  std::string operator()(const MoveTool& e) const {
+    return fmt::format("Move {} by {:.2f}, {:.2f}, {:.2f} mm at {:.2f} s", tools(e.arms, name), 1e3 * e.by_m.x(),
+                       1e3 * e.by_m.y(), 1e3 * e.by_m.z(), e.at_s);
+  }
+  std::string operator()(const RotateTool& e) const {
+    return fmt::format("Turn {} by {:.1f}° at {:.2f} s", tools(e.arms, name), kDegrees * e.by_rad.norm(), e.at_s);
+  }
+  std::string operator()(const Offset& e) const {
+    return fmt::format("Offset {} by {:.2f}, {:.2f}, {:.2f} mm", tools(e.arms, name), 1e3 * e.by_m.x(),
+                       1e3 * e.by_m.y(), 1e3 * e.by_m.z());
+  }
+  std::string operator()(const Smooth& e) const {
+    return fmt::format("Smooth {} of {} over {:.0f} ms", span(e.from_s, e.to_s), tools(e.arms, name), 1e3 * e.width_s);
+  }
+  std::string operator()(const Simplify& e) const {
+    return fmt::format("Simplify {} of {} within {:.2f} mm", span(e.from_s, e.to_s), tools(e.arms, name),
+                       1e3 * e.tolerance_m);
+  }
+  std::string operator()(const Resample& e) const { return fmt::format("Resample {} to {:g} Hz", name, e.rate_hz); }
+  std::string operator()(const Retime& e) const {
+    const std::string what = fmt::format("Retime {} of {}", span(e.from_s, e.to_s), name);
+    switch (e.mode) {
+      case RetimeTo::kScale:
+        return fmt::format("{} by {:g}", what, e.scale);
+      case RetimeTo::kDuration:
+        return fmt::format("{} to {:.2f} s", what, e.duration_s);
+      case RetimeTo::kSpeedCap:
+        return fmt::format("{} to at most {:.0f} mm/s", what, 1e3 * e.speed_m_s);
+      case RetimeTo::kConstantSpeed:
+        return fmt::format("{} to {:.0f} mm/s", what, 1e3 * e.speed_m_s);
+    }
+    return what;
+  }
+  std::string operator()(const SnapToGrid& e) const {
+    return fmt::format("Snap {} of {} to the grid", span(e.from_s, e.to_s), tools(e.arms, name));
+  }
+  std::string operator()(const SetJaw& e) const {
+    return fmt::format("Jaw of {} to {:.0f}° in {}", tools(e.arms, name), kDegrees * e.jaw_rad, span(e.from_s, e.to_s));
+  }
+  std::string operator()(const Mirror&) const { return fmt::format("Mirror {}", name); }
+  std::string operator()(const Retarget& e) const {
+    return fmt::format("Retarget {} to block {} and peg {}", name, e.block, e.goal);
+  }
+  std::string operator()(const Perturb& e) const {
+    return fmt::format("Perturb {} by {:.2f} mm, seed {}", name, 1e3 * e.sigma_m, e.seed);
+  }
+  std::string operator()(const Revert& e) const { return fmt::format("Revert {} of {}", span(e.from_s, e.to_s), name); }
+  std::string operator()(const AddNote& e) const { return fmt::format("Note “{}” on {}", e.text, name); }
+  std::string operator()(const RemoveNote& e) const { return fmt::format("Remove note {} from {}", e.note, name); }
+};
+
+}  // namespace
+
+std::string sentence(const Edit& edit, std::string_view name) {
+  return std::visit(Teller{name}, edit);
+}
+
+}  // namespace trocar::demonstration

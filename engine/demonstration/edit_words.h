@@ -1,0 +1,32 @@
+/// Edits as a person types them: "smooth --from 1.2 --to 3.4 --max-deviation-mm 0.5".
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/demonstration/edit.h"
+
+namespace trocar::demonstration {
+
+/// How a parameter is typed: seconds bare, lengths in millimetres, angles in degrees.
+struct TypedField {
+  std::string option;   ///< "max-deviation-mm", without dashes.
+  double factor = 1.0;  ///< What is typed is the SI value times this.
+  std::string unit;     ///< "mm", to show behind the number.
+};
+/// From a key with its SI unit: "max_deviation_m".
+TypedField typed(std::string_view key);
+
+/// The words after `trocar demo edit PROJECT DEMO`; every parameter is there. Read back, they give the same edit but
+/// for the rounding of lengths and angles (1e-9 of their unit).
+std::vector<std::string> to_words(const Edit& edit);
+
+/// Options may stand in any order; what is left out keeps its default. Values that are lists are separated by commas.
+/// Errors: kInvalidArgument naming an unknown edit or option, a doubled option, or a value of the wrong kind.
+Result<Edit> edit_from_words(const std::vector<std::string>& words);
+
+/// Words separated by blanks; a word in single quotes may hold blanks. Errors: kInvalidArgument for an open quote.
+Result<std::vector<std::string>> split_words(std::string_view line);
+
+}  // namespace trocar::demonstration

@@ -1,0 +1,112 @@
+// Bridge: a new motion from one instant to another.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/demonstration/edits/edit_functions.h"
+#include "engine/demonstration/edits/stretch.h"
+#include "engine/demonstration/motion.h"
+
+namespace trocar::demonstration {
+namespace {
+
+/// Share of the way at the share `x` of the time, and the peak speed relative to the mean.
+double way(BridgeShape shape, double x) {
+  if (shape == BridgeShape::kStraight) return x;
+  return x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);  // Flash and Hogan, 1985
+}
+double peak_of(BridgeShape shape) {
+  return shape == BridgeShape::kStraight ? 1.0 : 1.875;
+}
+
+/// A polyline by arc length.
+class Polyline {
+ public:
+  explicit Polyline(std::vector<Eigen::Vector3d> points) : points_(std::move(points)) {
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      lengths_m_.push_back(lengths_m_.back() + (points_[i] - points_[i - 1]).norm());
+    }
+  }
+  double length_m() const { return lengths_m_.back(); }
+  Eigen::Vector3d at(double share) const {
+    const double wanted_m = share * length_m();
+    const auto after = std::upper_bound(lengths_m_.begin() + 1, lengths_m_.end() - 1, wanted_m);
+    const auto i = static_cast<std::size_t>(after - lengths_m_.begin());
+    const double run_m = lengths_m_[i] - lengths_m_[i - 1];
+    const double part = run_m > 0.0 ? std::clamp((wanted_m - lengths_m_[i - 1]) / run_m, 0.0, 1.0) : share;
+    return points_[i - 1] + part * (points_[i] - points_[i - 1]);
+  }
+
+ private:
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<double> lengths_m_{0.0};
+};
+
+Polyline line_of(const Sample& from, const Sample& to, std::size_t arm, const std::vector<Eigen::Vector3d>& via) {
+  std::vector<Eigen::Vector3d> points{measured_tip(from, arm)};
+  points.insert(points.end(), via.begin(), via.end());
+  points.push_back(measured_tip(to, arm));
+  return Polyline(std::move(points));
+}
+
+/// The last sample at or before the begin, and the first at or after the end.
+Result<std::pair<std::size_t, std::size_t>> ends_of(const Demonstration& document, const Bridge& edit) {
+  TROCAR_RETURN_IF_ERROR(check_range(edit.from_s, edit.to_s));
+  const std::size_t after_from = document.samples.lower_bound(document.tick_after(edit.from_s));
+  const std::size_t to = document.samples.lower_bound(document.tick_from(edit.to_s));
+  if (after_from > 0 && to < document.samples.size() && after_from - 1 < to) return std::pair{after_from - 1, to};
+  return fail(ErrorCode::kInvalidArgument, "a bridge needs a sample before its begin and one after its end");
+}
+
+}  // namespace
+
+Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit) {
+  TROCAR_ASSIGN_OR_RETURN(const auto ends, ends_of(document, edit));
+  for (const Eigen::Vector3d& point : edit.via_m) {
+    if (!point.allFinite()) return fail(ErrorCode::kInvalidArgument, "a point to pass must be finite");
+  }
+  const auto [first, last] = ends;
+  const Sample from = document.samples[first];
+  const Sample to = document.samples[last];
+  const std::vector<std::size_t> arms = indices_of(edit.arms);
+  std::vector<Polyline> lines;
+  for (const std::size_t arm : arms) {
+    lines.push_back(line_of(from, to, arm, arm == arms.front() ? edit.via_m : std::vector<Eigen::Vector3d>{}));
+  }
+  std::int64_t length = to.tick - from.tick;
+  if (edit.peak_speed_m_s != 0.0) {
+    TROCAR_RETURN_IF_ERROR(check_positive(edit.peak_speed_m_s, "the peak speed"));
+    double longest_m = 0.0;
+    for (const Polyline& line : lines) longest_m = std::max(longest_m, line.length_m());
+    const double seconds = peak_of(edit.shape) * longest_m / edit.peak_speed_m_s;
+    if (seconds > 3600.0) return fail(ErrorCode::kInvalidArgument, "the bridge would last for more than an hour");
+    length = std::max<std::int64_t>(std::llround(seconds * 1000.0 / kTicksPerSample), 1) * kTicksPerSample;
+  }
+  // What the arm that is not bridged does goes on, stretched if need be.
+  const std::vector<Sample> before = document.samples.slice(first, last + 1 - first).to_vector();
+  TrackReader reader(before);
+  std::vector<Sample> made;
+  for (std::int64_t tick = kTicksPerSample; tick < length; tick += kTicksPerSample) {
+    const double share = static_cast<double>(tick) / static_cast<double>(length);
+    const double along = way(edit.shape, share);
+    Sample sample = reader.at(static_cast<double>(from.tick) + share * static_cast<double>(to.tick - from.tick));
+    for (std::size_t i = 0; i < arms.size(); ++i) {
+      const std::size_t arm = arms[i];
+      const ArmSample& a = from.arms[arm];
+      const ArmSample& b = to.arms[arm];
+      const spatial::Pose now = sample.arms[arm].measured.pose();
+      const Eigen::Quaterniond q = a.measured.pose().q.slerp(along, b.measured.pose().q);
+      displace(sample, arm, lines[i].at(along) - now.p, q * now.q.conjugate(), document.block);
+      sample.arms[arm].setpoint_jaw_rad = a.setpoint_jaw_rad + along * (b.setpoint_jaw_rad - a.setpoint_jaw_rad);
+      sample.arms[arm].jaw_rad =
+          static_cast<float>(static_cast<double>(a.jaw_rad) + along * static_cast<double>(b.jaw_rad - a.jaw_rad));
+    }
+    sample.tick = from.tick + tick;
+    made.push_back(sample);
+  }
+  return with_other_length(document, first + 1, last - first - 1, std::move(made), length - (to.tick - from.tick));
+}
+
+}  // namespace trocar::demonstration

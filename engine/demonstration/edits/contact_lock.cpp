@@ -1,0 +1,54 @@
+#include "engine/demonstration/edits/contact_lock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trocar::demonstration {
+namespace {
+
+/// Nothing moves this near to a grasp, and all does this much further away.
+constexpr double kHeld_s = 0.05;
+constexpr double kEased_s = 0.25;
+
+double eased(double distance_s, double held_s) {
+  const double x = std::clamp((distance_s - held_s) / kEased_s, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+/// For each sample the time to the nearest event before it, walking in the order of `order`.
+template <typename Order>
+void spread(const std::vector<Sample>& samples, const std::vector<bool>& event, std::vector<double>& nearest_s,
+            Order order) {
+  double last_s = std::numeric_limits<double>::infinity();
+  bool seen = false;
+  for (std::size_t step = 0; step < samples.size(); ++step) {
+    const std::size_t i = order(step);
+    if (event[i]) {
+      last_s = samples[i].t_s();
+      seen = true;
+    }
+    if (seen) nearest_s[i] = std::min(nearest_s[i], std::abs(samples[i].t_s() - last_s));
+  }
+}
+
+}  // namespace
+
+ContactLock::ContactLock(const std::vector<Sample>& samples, bool contacts) : freedom_(samples.size(), 1.0) {
+  if (samples.empty()) return;
+  std::vector<bool> event(samples.size(), false);
+  constexpr std::uint32_t kContacts = kLeftHolds | kRightHolds;
+  for (std::size_t i = 1; contacts && i < samples.size(); ++i) {
+    event[i] = ((samples[i].flags ^ samples[i - 1].flags) & kContacts) != 0;
+  }
+  std::vector<double> nearest_s(samples.size(), std::numeric_limits<double>::infinity());
+  spread(samples, event, nearest_s, [](std::size_t step) { return step; });
+  spread(samples, event, nearest_s, [&](std::size_t step) { return samples.size() - 1 - step; });
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double from_end_s =
+        std::min(samples[i].t_s() - samples.front().t_s(), samples.back().t_s() - samples[i].t_s());
+    freedom_[i] = std::min(eased(from_end_s, 0.0), eased(nearest_s[i], kHeld_s));
+  }
+}
+
+}  // namespace trocar::demonstration

@@ -1,0 +1,64 @@
+/// The part of a demonstration that an edit works on: its samples in one place, and the way back. Private to the
+/// module.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/demonstration/demonstration.h"
+#include "engine/demonstration/edit.h"
+
+namespace trocar::demonstration {
+
+/// Errors: kInvalidArgument for numbers that are not finite, or an end that is not after the begin.
+Status check_range(double from_s, double to_s);
+/// Errors: kInvalidArgument naming what must be finite and above 0.
+Status check_positive(double value, std::string_view what);
+
+/// A run of samples, copied out.
+struct Stretch {
+  std::size_t first = 0;  ///< In the document's track.
+  std::vector<Sample> samples;
+};
+
+/// The samples from `from_s` to `to_s`, both included.
+/// Errors: those of `check_range`; kInvalidArgument if there are fewer than `fewest` of them.
+Result<Stretch> stretch_of(const Demonstration& document, double from_s, double to_s, std::size_t fewest);
+
+/// The document with the stretch's samples, as many and at the same ticks, in place of its own.
+Demonstration with_stretch(const Demonstration& document, Stretch stretch);
+
+/// The document with `samples` in place of `count` from `first`, and everything after them `shift` ticks later. Labels,
+/// gates and notes follow: a time inside the old span keeps its share of it.
+/// Errors: kInvalidArgument if fewer than 2 samples stay between the gates.
+Result<Demonstration> with_other_length(const Demonstration& document, std::size_t first, std::size_t count,
+                                        std::vector<Sample> samples, std::int64_t shift);
+
+/// Times of labels, gates and notes go through `moved`, which never decreases; labels without a length go.
+void move_times(Demonstration& document, const std::function<double(double)>& moved);
+
+/// Arms that an edit means, as indices.
+std::vector<std::size_t> indices_of(Arms arms);
+
+/// The pose between two samples at a tick between theirs; flags and labels are those of `a`.
+Sample between(const Sample& a, const Sample& b, std::int64_t tick);
+
+/// The sample of a track at any time between its first and last.
+class TrackReader {
+ public:
+  explicit TrackReader(const std::vector<Sample>& samples) : samples_(samples) {}
+  /// Ticks need not be whole. Precondition: at least one sample; calls by increasing `tick` are quick.
+  Sample at(double tick);
+
+ private:
+  const std::vector<Sample>& samples_;
+  std::size_t next_ = 1;
+};
+
+/// Turns the arm by `turn` about its tip and then moves it, and what it holds with it. Frames: W.
+void displace(Sample& sample, std::size_t arm, const Eigen::Vector3d& by_m, const Eigen::Quaterniond& turn, int block);
+
+/// The flag that says that an arm holds the target block.
+SampleFlag holds_flag(std::size_t arm);
+
+}  // namespace trocar::demonstration

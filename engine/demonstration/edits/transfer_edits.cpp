@@ -1,0 +1,100 @@
+// The same motion elsewhere: Mirror, Retarget.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/demonstration/edits/edit_functions.h"
+#include "engine/demonstration/edits/stretch.h"
+
+namespace trocar::demonstration {
+namespace {
+
+/// In a mirror through x and z; a rotation stays a rotation.
+spatial::Pose mirrored(const spatial::Pose& X) {
+  return {{X.p.x(), -X.p.y(), X.p.z()}, {X.q.w(), -X.q.x(), X.q.y(), -X.q.z()}};
+}
+
+ArmSample mirrored(const ArmSample& arm) {
+  ArmSample result = arm;
+  result.measured = CompactPose::from(mirrored(arm.measured.pose()));
+  result.set_setpoint(mirrored(arm.setpoint()), arm.setpoint_jaw_rad);
+  return result;
+}
+
+std::uint32_t swapped_flags(std::uint32_t flags) {
+  const std::uint32_t others = flags & ~static_cast<std::uint32_t>(kLeftHolds | kRightHolds);
+  return others | ((flags & kLeftHolds) != 0 ? kRightHolds : 0U) | ((flags & kRightHolds) != 0 ? kLeftHolds : 0U);
+}
+
+double eased(double x) {
+  const double within = std::clamp(x, 0.0, 1.0);
+  return within * within * (3.0 - 2.0 * within);
+}
+
+/// How much of the way to the other block and the other peg belongs to each instant.
+struct RetargetShare {
+  SegmentSpan carry;  ///< C: away from the block.
+  SegmentSpan place;  ///< E: to the peg.
+
+  double of_block(double t_s) const { return 1.0 - eased((t_s - carry.begin_s) / (carry.end_s - carry.begin_s)); }
+  /// The first half of E moves over the peg.
+  double of_goal(double t_s) const { return eased(2.0 * (t_s - place.begin_s) / (place.end_s - place.begin_s)); }
+};
+
+Result<RetargetShare> share_of(const Demonstration& document) {
+  const auto carry = document.segment(Segment::kC);
+  const auto place = document.segment(Segment::kE);
+  if (carry && place) return RetargetShare{*carry, *place};
+  return fail(ErrorCode::kInvalidArgument, "it needs the segments C and E; label them first");
+}
+
+}  // namespace
+
+Result<Demonstration> made_by(const Demonstration& document, const Mirror& /*edit*/) {
+  Stretch all{0, document.samples.to_vector()};
+  for (Sample& sample : all.samples) {
+    const ArmSample left = sample.arms[0];
+    sample.arms[0] = mirrored(sample.arms[1]);
+    sample.arms[1] = mirrored(left);
+    for (CompactPose& block : sample.blocks) block = CompactPose::from(mirrored(block.pose()));
+    sample.flags = swapped_flags(sample.flags);
+  }
+  return with_stretch(document, std::move(all));
+}
+
+Result<Demonstration> made_by(const Demonstration& document, const Retarget& edit) {
+  if (edit.block < 0 || edit.block >= peg_board::kBlockCount || edit.goal < 0 || edit.goal >= 6) {
+    return fail(ErrorCode::kInvalidArgument, "blocks and goal pegs are numbered 0 to 5");
+  }
+  TROCAR_ASSIGN_OR_RETURN(const RetargetShare share, share_of(document));
+  const Eigen::Vector3d to_block = peg_board::start_peg(edit.block) - peg_board::start_peg(document.block);
+  const Eigen::Vector3d to_goal = peg_board::goal_peg(edit.goal) - peg_board::goal_peg(document.goal);
+  const auto from = static_cast<std::size_t>(document.block);
+  const auto to = static_cast<std::size_t>(edit.block);
+  Stretch all{0, document.samples.to_vector()};
+  const Sample start = all.samples.front();
+  for (Sample& sample : all.samples) {
+    const double t_s = document.time_of(sample);
+    const Eigen::Vector3d left_by = share.of_block(t_s) * to_block;
+    const Eigen::Vector3d right_by = share.of_goal(t_s) * to_goal;
+    // The block goes with whoever has it; before the grasp it stands where the left tool goes.
+    const Eigen::Vector3d block_by =
+        (sample.flags & kRightHolds) != 0 || t_s >= share.place.begin_s ? right_by : left_by;
+    CompactPose block = sample.blocks[from];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      block.p[axis] += static_cast<float>(block_by[static_cast<Eigen::Index>(axis)]);
+    }
+    if (from != to) sample.blocks[from] = start.blocks[from];
+    sample.blocks[to] = block;
+    displace(sample, 0, left_by, Eigen::Quaterniond::Identity(), -1);
+    displace(sample, 1, right_by, Eigen::Quaterniond::Identity(), -1);
+  }
+  Demonstration edited = with_stretch(document, std::move(all));
+  edited.block = edit.block;
+  edited.goal = edit.goal;
+  return edited;
+}
+
+}  // namespace trocar::demonstration
