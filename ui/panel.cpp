@@ -1,6 +1,7 @@
 #include "ui/panel.h"
 
 #include "ui/panels/activity_panels.h"
+#include "ui/panels/edits_panel.h"
 #include "ui/panels/fields_panel.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/library_panel.h"
@@ -33,6 +34,8 @@ std::unique_ptr<Panel> make_panel(PanelId panel) {
       return std::make_unique<JobsPanel>();
     case PanelId::kLog:
       return std::make_unique<LogPanel>();
+    case PanelId::kEdits:
+      return std::make_unique<EditsPanel>();
   }
   return nullptr;
 }

@@ -14,11 +14,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, kPanelCount> kTitles{"Library", "View",      "Timeline", "Fields", "Rollouts",
-                                                            "Train",   "Inspector", "History",  "Jobs",   "Log"};
+constexpr std::array<std::string_view, kPanelCount> kTitles{
+    "Library", "View", "Timeline", "Fields", "Rollouts", "Train", "Inspector", "History", "Jobs", "Log", "Edits"};
 constexpr std::array<const char*, kPanelCount> kIcons{icon::kTable, icon::kCube,  icon::kSliders, icon::kThLarge,
                                                       icon::kRoad,  icon::kTrain, icon::kInfo,    icon::kHistory,
-                                                      icon::kTasks, icon::kList};
+                                                      icon::kTasks, icon::kList,  icon::kPencil};
 constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceTitles{"Library", "Author", "Fields", "Rollouts"};
 
 Tile tabs(std::vector<PanelId> panels) {
@@ -240,23 +240,25 @@ Tile default_layout(Workspace workspace) {
   constexpr auto column = Tile::Kind::kColumn;
   switch (workspace) {
     case Workspace::kLibrary:
-      return split(
-          row, {0.52F, 0.48F},
-          {split(column, {0.72F, 0.28F}, {tabs({kLibrary}), tabs({kHistory, kJobs, kLog})}),
-           split(column, {0.52F, 0.48F}, {tabs({kView}), tabs({kInspector, kTrain, kTimeline, kFields, kRollouts})})});
+      return split(row, {0.52F, 0.48F},
+                   {split(column, {0.72F, 0.28F}, {tabs({kLibrary}), tabs({kHistory, kJobs, kLog})}),
+                    split(column, {0.52F, 0.48F},
+                          {tabs({kView}), tabs({kInspector, kEdits, kTrain, kTimeline, kFields, kRollouts})})});
     case Workspace::kAuthor:
       return split(row, {0.245F, 0.515F, 0.24F},
                    {split(column, {0.64F, 0.36F}, {tabs({kLibrary}), tabs({kHistory, kJobs, kLog})}),
                     split(column, {0.645F, 0.355F}, {tabs({kView}), tabs({kTimeline})}),
-                    tabs({kInspector, kTrain, kFields, kRollouts})});
+                    tabs({kInspector, kEdits, kTrain, kFields, kRollouts})});
     case Workspace::kFields:
-      return split(row, {0.235F, 0.405F, 0.36F},
-                   {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kTrain, kInspector, kHistory, kJobs, kLog})}),
-                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline})}), tabs({kFields, kRollouts})});
+      return split(
+          row, {0.235F, 0.405F, 0.36F},
+          {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kTrain, kInspector, kEdits, kHistory, kJobs, kLog})}),
+           split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline})}), tabs({kFields, kRollouts})});
     case Workspace::kRollouts:
-      return split(row, {0.235F, 0.385F, 0.38F},
-                   {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kTrain, kInspector, kHistory, kJobs, kLog})}),
-                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline})}), tabs({kRollouts, kFields})});
+      return split(
+          row, {0.235F, 0.385F, 0.38F},
+          {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kTrain, kInspector, kEdits, kHistory, kJobs, kLog})}),
+           split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline})}), tabs({kRollouts, kFields})});
   }
   return tabs({kView});
 }

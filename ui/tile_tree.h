@@ -24,8 +24,9 @@ enum class PanelId : std::uint8_t {
   kHistory,
   kJobs,
   kLog,
+  kEdits,
 };
-constexpr std::size_t kPanelCount = 10;
+constexpr std::size_t kPanelCount = 11;
 /// "Library", as on its tab.
 std::string_view title(PanelId panel);
 const char* icon_of(PanelId panel);

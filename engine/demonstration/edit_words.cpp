@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -80,6 +81,32 @@ class WordWriter {
       for (const auto& element : value) parts.push_back(written(element, factor));
       return fmt::format("{}", fmt::join(parts, ","));
     }
+  }
+};
+
+/// Makes a form's row of each parameter.
+struct OptionLister {
+  std::vector<EditOption> options;
+
+  template <typename Value>
+  void field(const Field& field, const Value& value) {
+    const TypedField how = typed(field.key);
+    EditOption row{how.option, {}, how.unit, field.help, field.positional, std::is_same_v<Value, bool>, {}, {}};
+    std::string word(field.key);
+    for (const Unit& unit : kUnits) {
+      if (!word.ends_with(unit.ending)) continue;
+      word.resize(word.size() - unit.ending.size());
+      break;
+    }
+    std::replace(word.begin(), word.end(), '_', '-');
+    row.label = title_of(word);
+    if constexpr (std::is_enum_v<Value>) {
+      for (const std::string_view choice : words_of<Value>()) row.choices.emplace_back(choice);
+    }
+    WordWriter writer;
+    writer.field(Field{field.key, field.help, true}, value);
+    row.text = writer.words.front();
+    options.push_back(std::move(row));
   }
 };
 
@@ -260,6 +287,37 @@ Result<Edit> edit_from_words(const std::vector<std::string>& words) {
     edit = filled ? Result<Edit>(std::move(made)) : tl::unexpected(filled.error());
   });
   return edit;
+}
+
+std::vector<EditOption> options_of(const Edit& edit) {
+  OptionLister lister;
+  std::visit([&](const auto& one) { visit_fields(lister, one); }, edit);
+  return std::move(lister.options);
+}
+
+Result<Edit> edit_from_options(std::string_view name, const std::vector<EditOption>& options) {
+  std::vector<std::string> words{std::string(name)};
+  for (const EditOption& option : options) {
+    if (option.positional) words.push_back(option.text);
+  }
+  for (const EditOption& option : options) {
+    const bool empty_list = option.text.empty() && option.choices.empty() && !option.positional;
+    if (!option.positional && !empty_list) words.push_back(fmt::format("--{}={}", option.option, option.text));
+  }
+  return edit_from_words(words);
+}
+
+std::vector<Edit> default_edits() {
+  std::vector<Edit> edits;
+  for_each_edit([&]<typename Edited>(const Edited*) { edits.emplace_back(Edited{}); });
+  return edits;
+}
+
+std::string title_of(std::string_view word) {
+  std::string title(word);
+  std::replace(title.begin(), title.end(), '-', ' ');
+  if (!title.empty()) title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title;
 }
 
 Result<std::vector<std::string>> split_words(std::string_view line) {

@@ -26,6 +26,25 @@ std::vector<std::string> to_words(const Edit& edit);
 /// Errors: kInvalidArgument naming an unknown edit or option, a doubled option, or a value of the wrong kind.
 Result<Edit> edit_from_words(const std::vector<std::string>& words);
 
+/// One parameter as a form shows it.
+struct EditOption {
+  std::string option;  ///< "max-deviation-mm"
+  std::string label;   ///< "Max deviation"
+  std::string unit;    ///< "mm", or "".
+  std::string help;
+  bool positional = false;
+  bool flag = false;                 ///< The text is "yes" or "no".
+  std::vector<std::string> choices;  ///< The text is one of them; empty: anything.
+  std::string text;
+};
+std::vector<EditOption> options_of(const Edit& edit);
+/// Errors: as `edit_from_words`.
+Result<Edit> edit_from_options(std::string_view name, const std::vector<EditOption>& options);
+/// An edit of every kind, its parameters as they are before anybody says otherwise; in the order of the variant.
+std::vector<Edit> default_edits();
+/// "Propose labels" of "propose-labels".
+std::string title_of(std::string_view word);
+
 /// Words separated by blanks; a word in single quotes may hold blanks. Errors: kInvalidArgument for an open quote.
 Result<std::vector<std::string>> split_words(std::string_view line);
 

@@ -30,6 +30,13 @@ struct GoToHistory {
   std::int64_t node = 0;
 };
 
+/// Shows the selected demonstration as an edit would make it, without committing it.
+struct PreviewEdit {
+  demonstration::Edit edit;
+  std::int64_t entry = 0;  ///< Not 0: the edit replaces this one of the stack.
+};
+struct EndPreview {};
+
 struct SelectDemonstration {
   DemonstrationId id;
 };
@@ -116,8 +123,8 @@ struct CancelJob {
 };
 
 using Command =
-    std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, SelectDemonstration, SelectModel, SetPlayhead, Play,
-                 SetCamera, SetCameraPreset, SetViewSize, SetField, SetRollouts, RecordScripted, StopRecording,
-                 TrainModel, VerifyReplay, ExportVideo, ExportField, CancelJob>;
+    std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SelectDemonstration,
+                 SelectModel, SetPlayhead, Play, SetCamera, SetCameraPreset, SetViewSize, SetField, SetRollouts,
+                 RecordScripted, StopRecording, TrainModel, VerifyReplay, ExportVideo, ExportField, CancelJob>;
 
 }  // namespace trocar::workbench

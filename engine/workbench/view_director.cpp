@@ -33,8 +33,21 @@ void add_ghosts(const ModelInsight& insight, std::vector<stage::PathLayer>& path
   }
 }
 
+/// Where the tools went before the edit that is shown.
+void add_ghost_of(const demonstration::Demonstration& before, std::vector<stage::PathLayer>& paths) {
+  constexpr Rgba kGhost{128, 132, 140, 255};
+  for (const kinematics::ArmSide side : {kinematics::ArmSide::kLeft, kinematics::ArmSide::kRight}) {
+    stage::PathLayer ghost = stage::path_of(before, side);
+    ghost.colours = {kGhost};
+    ghost.radius_m *= 0.6;
+    paths.push_back(std::move(ghost));
+  }
+}
+
+/// As an edit that is being made would leave it, if one is.
 std::shared_ptr<const demonstration::Demonstration> selected(const WorkbenchState& state) {
   if (!state.project) return nullptr;
+  if (state.preview && state.preview->after) return state.preview->after;
   const auto found = state.project->demonstrations.find(state.demonstration);
   return found == state.project->demonstrations.end() ? nullptr : found->second;
 }
@@ -140,6 +153,7 @@ std::shared_ptr<const std::vector<stage::PathLayer>> ViewDirector::paths_for(con
   if (demonstration && !demonstration->gated().empty()) {
     paths->push_back(stage::path_of(*demonstration, kinematics::ArmSide::kLeft));
     paths->push_back(stage::path_of(*demonstration, kinematics::ArmSide::kRight));
+    if (state.preview && state.preview->after) add_ghost_of(*state.preview->before, *paths);
   }
   if (state.insight && state.rollouts.ghosts) add_ghosts(*state.insight, *paths);
   paths_demonstration_ = demonstration.get();

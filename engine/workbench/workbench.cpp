@@ -11,10 +11,12 @@
 namespace trocar::workbench {
 
 Workbench::Impl::Impl(Options options_in)
-    : options(std::move(options_in)), insight([] {
+    : options(std::move(options_in)),
+      insight([] {
         auto maker = std::make_shared<InsightMaker>();
         return [maker](const InsightRequest& request) { return maker->make(request); };
-      }) {
+      }),
+      preview([] { return preview_of; }) {
   if (!options.clock) options.clock = std::make_shared<SystemClock>();
   if (options.picture) view.emplace();
   last_poll_s = options.clock->now_s();
@@ -79,6 +81,8 @@ void Workbench::Impl::refresh_document() {
   }
   const auto& models = state.project->models;
   if (!models.contains(state.model)) state.model = models.empty() ? ModelId{} : models.rbegin()->first;
+  // A preview is of what the document was.
+  if (state.preview && state.preview->before != demonstration(state.demonstration)) on(EndPreview{});
   on(SetPlayhead{state.playhead_s});
   request_insight();
 }
@@ -179,6 +183,10 @@ bool Workbench::Impl::poll() {
     dirty = true;
   }
   state.insight_pending = insight.pending();
+  if (preview.update()) {
+    state.preview = preview.answer();
+    dirty = true;
+  }
   if (view && view->poll(state, now_s)) dirty = true;
   return std::exchange(dirty, false);
 }
@@ -197,7 +205,7 @@ bool Workbench::poll() {
 
 bool Workbench::busy() const {
   return impl_->jobs.busy() || impl_->opening.busy() || impl_->recording || impl_->state.play_speed != 0.0 ||
-         impl_->insight.pending() || (impl_->view && impl_->view->busy());
+         impl_->insight.pending() || impl_->preview.pending() || (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

@@ -70,11 +70,24 @@ void Workbench::Impl::on(const GoToHistory& command) {
   if (project_open() && succeeded(file->go_to(command.node))) refresh_document();
 }
 
+void Workbench::Impl::on(const PreviewEdit& command) {
+  preview.request({demonstration(state.demonstration), command.edit, command.entry});
+  dirty = true;
+}
+
+void Workbench::Impl::on(const EndPreview&) {
+  // The answer to an older request may still come; this one replaces it.
+  preview.request({});
+  state.preview.reset();
+  dirty = true;
+}
+
 void Workbench::Impl::on(const SelectDemonstration& command) {
   const auto shown = demonstration(command.id);
   if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", command.id.value));
   state.demonstration = command.id;
   state.play_speed = 0.0;
+  on(EndPreview{});
   on(SetPlayhead{shown->begin_s});
 }
 

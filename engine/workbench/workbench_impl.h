@@ -23,6 +23,8 @@ struct Workbench::Impl {
   void on(const Undo& command);
   void on(const Redo& command);
   void on(const GoToHistory& command);
+  void on(const PreviewEdit& command);
+  void on(const EndPreview& command);
   void on(const SelectDemonstration& command);
   void on(const SelectModel& command);
   void on(const SetPlayhead& command);
@@ -69,6 +71,7 @@ struct Workbench::Impl {
   std::unique_ptr<LiveRecording> recording;
   std::optional<ViewDirector> view;
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
+  LatestWorker<PreviewRequest, std::shared_ptr<const EditPreview>> preview;
   double last_poll_s = 0.0;
   bool dirty = false;
   JobRunner jobs;     // their threads end first

@@ -10,6 +10,7 @@
 
 #include "engine/core/image.h"
 #include "engine/workbench/command.h"
+#include "engine/workbench/edit_preview.h"
 #include "engine/workbench/insight.h"
 #include "engine/workbench/job_view.h"
 #include "engine/workbench/live_runner.h"
@@ -40,6 +41,8 @@ struct WorkbenchState {
 
   DemonstrationId demonstration;  ///< Selected, or none.
   ModelId model;
+  /// What an edit that is being made would do, null if none is; for the selected demonstration.
+  std::shared_ptr<const EditPreview> preview;
   double playhead_s = 0.0;
   double play_speed = 0.0;  ///< 0: paused.
 

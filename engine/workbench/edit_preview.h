@@ -1,0 +1,29 @@
+/// What an edit would do to a demonstration, worked out beside the window while its parameters change.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "engine/demonstration/diff.h"
+#include "engine/demonstration/edits.h"
+
+namespace trocar::workbench {
+
+struct PreviewRequest {
+  std::shared_ptr<const demonstration::Demonstration> before;  ///< Null: nothing is to be shown.
+  demonstration::Edit edit;
+  std::int64_t entry = 0;  ///< Of the stack, to be replaced; 0: the edit is a new one.
+};
+
+struct EditPreview {
+  std::shared_ptr<const demonstration::Demonstration> before;
+  std::shared_ptr<const demonstration::Demonstration> after;  ///< Null if the edit cannot be made.
+  demonstration::Difference difference;
+  std::string error;  ///< Why it cannot.
+};
+
+/// Nothing for a request without a demonstration. Threads: any.
+std::shared_ptr<const EditPreview> preview_of(const PreviewRequest& request);
+
+}  // namespace trocar::workbench

@@ -1,0 +1,44 @@
+/// The edits of the selected demonstration: the stack, and a form for a new edit or for changing one of them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/demonstration/edit_words.h"
+#include "ui/panel.h"
+
+namespace trocar::ui {
+
+class EditsPanel final : public Panel {
+ public:
+  Requests draw(Ui& ui, const WorkbenchState& state) override;
+
+ private:
+  /// An edit that is being made; shown in the view as it would be.
+  struct Draft {
+    demonstration::DemonstrationId demonstration;
+    std::int64_t entry = 0;  ///< Of the stack, to be changed; 0: a new edit.
+    std::string name;        ///< Of the kind of edit.
+    std::vector<demonstration::EditOption> options;
+    std::string problem;  ///< Why the parameters make no edit.
+    bool requested = false;
+  };
+
+  void begin(const demonstration::Edit& edit, const demonstration::Demonstration& shown, std::int64_t entry);
+  void draw_stack(Ui& ui, const demonstration::Demonstration& shown, Requests& requests);
+  void draw_entry(Ui& ui, const demonstration::Demonstration& shown, int place, Requests& requests);
+  void draw_choice(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown);
+  bool draw_option(Ui& ui, demonstration::EditOption& option);
+  void draw_draft(Ui& ui, const WorkbenchState& state, Requests& requests);
+  void draw_outcome(Ui& ui, const WorkbenchState& state);
+  void request_preview(Requests& requests);
+  void commit(Requests& requests);
+  void end(Requests& requests);
+
+  std::optional<Draft> draft_;
+  int kind_ = 0;
+};
+
+}  // namespace trocar::ui
