@@ -202,7 +202,8 @@ std::string stack_text(const demonstration::Demonstration& document) {
 }
 
 Result<Answer> run_stack(const StackArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(arguments.target.project, console));
+  const auto open = arguments.change.empty() ? open_to_read : open_to_edit;
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open(arguments.target.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), arguments.target.demonstration));
   Answer answer;
   if (!arguments.change.empty()) {

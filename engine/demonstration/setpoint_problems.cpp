@@ -84,10 +84,10 @@ void check_steps(const Demonstration& document, std::size_t arm, const MotionBou
   SpanCollector leaps;
   SpanCollector speeds;
   SpanCollector jaws;
-  const Sample* before = nullptr;
+  std::optional<Sample> before;
   for (const Sample& sample : document.gated()) {
-    const Step step = before == nullptr ? Step{} : step_between(*before, sample, arm);
-    before = &sample;
+    const Step step = before ? step_between(*before, sample, arm) : Step{};
+    before = sample;
     if (step.seconds <= 0.0) continue;
     const double t_s = document.time_of(sample);
     const double speed_m_s = step.distance_m / step.seconds;
