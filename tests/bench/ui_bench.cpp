@@ -1,9 +1,14 @@
 // What a frame of the window costs: 1600 × 900, real pixels off-screen, drawn anew each time.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <ctime>
+#include <vector>
 
+#include "engine/core/clock.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/ui_state.h"
+#include "ui/application.h"
 #include "ui/session.h"
 #include "ui/window/osmesa_window.h"
 
@@ -60,5 +65,40 @@ void gui_frame_unchanged(benchmark::State& run) {
   }
 }
 BENCHMARK(gui_frame_unchanged)->Name("gui_frame_unchanged")->Unit(benchmark::kMillisecond);
+
+// The window while the simulator runs at 1 kHz and is recorded: every frame drawn, as fast as they come, for 5 s.
+// Must reach 30 frames a second on average.
+void gui_live(benchmark::State& run) {
+  auto window = ui::OsmesaWindow::create({1600, 900});
+  if (!window) return run.SkipWithError(window.error().text().c_str());
+  (*window)->always_draw(true);
+  const testing::ScratchFolder folder;
+  workbench::Workbench workbench({});
+  workbench.post(workbench::OpenProject{folder.path() / "live.trocar", true});
+  if (!workbench.wait_idle(20.0)) return run.SkipWithError("the project was not made");
+  ui::Settings settings;
+  settings.scale = 1.0F;
+  auto application = ui::Application::create(**window, workbench, settings);
+  if (!application) return run.SkipWithError(application.error().text().c_str());
+  const SystemClock clock;
+  std::vector<double> frames_s;
+  for (auto _ : run) {
+    workbench.post(workbench::RecordScripted{{}, "Live", true});
+    const double begin_s = clock.now_s();
+    for (double last_s = begin_s; last_s < begin_s + 5.0;) {
+      if (!(*application)->step(0.0)) return run.SkipWithError("a frame could not be drawn");
+      const double now_s = clock.now_s();
+      frames_s.push_back(now_s - last_s);
+      last_s = now_s;
+    }
+    workbench.post(workbench::StopRecording{false});
+    if (!workbench.wait_idle(20.0)) return run.SkipWithError("the recording did not end");
+  }
+  const auto nth = frames_s.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(frames_s.size()));
+  std::nth_element(frames_s.begin(), nth, frames_s.end());
+  run.counters["frames_per_s"] = static_cast<double>(frames_s.size()) / (5.0 * static_cast<double>(run.iterations()));
+  run.counters["p95_ms"] = 1e3 * *nth;
+}
+BENCHMARK(gui_live)->Name("gui_live_1600x900")->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 }  // namespace
