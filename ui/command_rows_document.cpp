@@ -1,4 +1,3 @@
-#include "engine/demonstration/quality.h"
 #include "ui/command_rows.h"
 #include "ui/icons.h"
 
@@ -78,8 +77,7 @@ Requests trim_out(const State& state) {
 }
 
 Requests trim_idle(const State& state) {
-  const auto gates = demonstration::idle_ends(*selected_demonstration(state));
-  return gates ? trim(state, gates->from_s, gates->to_s) : Requests{};
+  return one(Command{CommitEdit{EditDemonstration{state.demonstration, demonstration::TrimIdle{}}}});
 }
 
 Requests remove_demonstration(const State& state) {

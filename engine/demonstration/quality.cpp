@@ -8,8 +8,11 @@
 namespace trocar::demonstration {
 namespace {
 
-/// Half the span over which a speed is measured: long enough that a tremor of 10 Hz averages out.
-constexpr double kSpeedWindow_s = 0.05;
+/// Half the span over which a speed is measured: a tremor of 10 Hz and 0.1 mm is then no motion.
+constexpr double kSpeedWindow_s = 0.15;
+/// A motion at this speed is seen so much before it begins and after it ends, which is taken back.
+constexpr double kUsualSpeed_m_s = 0.010;
+constexpr double kSeenEarly_s = kSpeedWindow_s * (1.0 - 2.0 * kIdleSpeed_m_s / kUsualSpeed_m_s);
 constexpr double kIdleJaw_rad_s = 0.05;
 
 bool moves(const Sample& before, const Sample& after, double dt_s, double speed_m_s) {
@@ -21,7 +24,7 @@ bool moves(const Sample& before, const Sample& after, double dt_s, double speed_
   return false;
 }
 
-/// For each gated sample, whether anything moves in the tenth of a second around it.
+/// For each gated sample, whether anything moves in the time around it.
 std::vector<bool> moving(const Demonstration& document, double speed_m_s) {
   const std::vector<Sample> samples = document.gated().to_vector();
   std::vector<bool> result(samples.size());
@@ -68,9 +71,9 @@ std::vector<IdleSpan> idle_spans(const Demonstration& document, const IdleOption
   std::vector<IdleSpan> spans;
   for (std::size_t i = 0; i < flags.size(); ++i) {
     if (flags[i]) continue;
-    const double begin_s = document.time_of(samples[i]);
+    const double begin_s = i == 0 ? document.begin_s : document.time_of(samples[i]) - kSeenEarly_s;
     while (i + 1 < flags.size() && !flags[i + 1]) ++i;
-    const double end_s = document.time_of(samples[i]);
+    const double end_s = i + 1 == flags.size() ? document.end_s : document.time_of(samples[i]) + kSeenEarly_s;
     if (end_s - begin_s > options.longer_s) spans.push_back({begin_s, end_s});
   }
   return spans;
@@ -82,11 +85,11 @@ std::optional<Trim> idle_ends(const Demonstration& document, const IdleOptions& 
   const auto first = std::find(flags.begin(), flags.end(), true);
   if (first == flags.end()) return std::nullopt;
   const auto last = std::find(flags.rbegin(), flags.rend(), true);
-  const double begin_s = document.time_of(samples[static_cast<std::size_t>(first - flags.begin())]);
-  const double end_s = document.time_of(samples[static_cast<std::size_t>(flags.rend() - last - 1)]);
+  const double begin_s = document.time_of(samples[static_cast<std::size_t>(first - flags.begin())]) + kSeenEarly_s;
+  const double end_s = document.time_of(samples[static_cast<std::size_t>(flags.rend() - last - 1)]) - kSeenEarly_s;
   Trim trim{document.begin_s, document.end_s};
-  if (begin_s - document.begin_s > options.longer_s) trim.from_s = begin_s - options.margin_s;
-  if (document.end_s - end_s > options.longer_s) trim.to_s = end_s + options.margin_s;
+  if (!flags.front() && begin_s - document.begin_s > options.longer_s) trim.from_s = begin_s - options.margin_s;
+  if (!flags.back() && document.end_s - end_s > options.longer_s) trim.to_s = end_s + options.margin_s;
   if (trim.from_s == document.begin_s && trim.to_s == document.end_s) return std::nullopt;
   return trim;
 }

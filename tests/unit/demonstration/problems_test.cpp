@@ -144,6 +144,22 @@ TEST_CASE("an idle end comes with the trim that removes it, and the trim removes
   CHECK(trimmed.end_s > 4.0);
 }
 
+TEST_CASE("a hand that trembles in place is idle, wherever the gate is") {
+  const Demonstration document = changed(1000, [](std::vector<Sample>& samples) {
+    hold_still(samples, 0, 600);
+    for (std::size_t i = 0; i < 600; ++i) {
+      const double phase = 2.0 * 3.14159265358979 * 9.0 * samples[i].t_s();
+      samples[i].arms[0].measured.p[0] += static_cast<float>(1e-4 * std::sin(phase));
+    }
+  });
+  for (const double gate_s : {0.0, 0.333, 1.0}) {
+    const Demonstration gated = apply(document, Trim{gate_s, 4.9}).value();
+    const auto trim = idle_ends(gated);
+    REQUIRE(trim.has_value());
+    CHECK(trim->from_s == doctest::Approx(3.0 - kIdleMargin_s).epsilon(0.03));
+  }
+}
+
 TEST_CASE("a pause of less than 0.3 s at the end is left alone") {
   const Demonstration document = changed(1000, [](std::vector<Sample>& samples) { hold_still(samples, 950, 1000); });
   CHECK_FALSE(idle_ends(document));

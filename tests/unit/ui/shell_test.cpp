@@ -125,7 +125,7 @@ TEST_CASE("the last act is shown as a command line and can be copied") {
   Driver driver = desk.driver();
   CHECK(text_of(driver.click("Library/Trim idle")) == "");
   CHECK(driver.key("Ctrl+Shift+C"));
-  CHECK(desk.window.clipboard().starts_with("trocar demo edit /data/pegs.trocar 1 trim --from 0."));
+  CHECK(desk.window.clipboard().starts_with("trocar demo edit /data/pegs.trocar 1 trim-idle --speed-mm-s 2"));
 }
 
 TEST_CASE("dragging in the picture orbits, the wheel zooms") {
