@@ -75,15 +75,17 @@ Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit)
   for (const std::size_t arm : arms) {
     lines.push_back(line_of(from, to, arm, arm == arms.front() ? edit.via_m : std::vector<Eigen::Vector3d>{}));
   }
+  constexpr std::int64_t kLongest = 3600 * Tick::kPerSecond;
   std::int64_t length = to.tick - from.tick;
   if (edit.peak_speed_m_s != 0.0) {
     TROCAR_RETURN_IF_ERROR(check_positive(edit.peak_speed_m_s, "the peak speed"));
     double longest_m = 0.0;
     for (const Polyline& line : lines) longest_m = std::max(longest_m, line.length_m());
     const double seconds = peak_of(edit.shape) * longest_m / edit.peak_speed_m_s;
-    if (seconds > 3600.0) return fail(ErrorCode::kInvalidArgument, "the bridge would last for more than an hour");
-    length = std::max<std::int64_t>(std::llround(seconds * 1000.0 / kTicksPerSample), 1) * kTicksPerSample;
+    const double steps = std::min(seconds * 1000.0 / kTicksPerSample, 1e9);
+    length = std::max<std::int64_t>(std::llround(steps), 1) * kTicksPerSample;
   }
+  if (length > kLongest) return fail(ErrorCode::kInvalidArgument, "the bridge would last for more than an hour");
   // What the arm that is not bridged does goes on, stretched if need be.
   const std::vector<Sample> before = document.samples.slice(first, last + 1 - first).to_vector();
   TrackReader reader(before);

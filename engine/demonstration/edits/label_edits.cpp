@@ -92,6 +92,9 @@ Result<Demonstration> made_by(const Demonstration& document, const LabelSegment&
 }
 
 Result<Demonstration> made_by(const Demonstration& document, const ProposeLabels& /*edit*/) {
+  if (document.block < 0 || document.block >= peg_board::kBlockCount) {
+    return fail(ErrorCode::kInvalidArgument, "it is not known which block was to be carried");
+  }
   BoundaryFinder finder(document);
   for (const Sample& sample : document.gated()) finder.take(sample, document.time_of(sample));
   if (finder.ends_s().size() < 2) {

@@ -129,6 +129,9 @@ Result<Demonstration> made_by(const Demonstration& document, const Perturb& edit
   if (edit.sigma_m > 0.05 || edit.period_s < 0.005) {
     return fail(ErrorCode::kInvalidArgument, "the standard deviation goes up to 50 mm and the period down to 0.005 s");
   }
+  if (document.duration_s() / edit.period_s > 1e7) {
+    return fail(ErrorCode::kInvalidArgument, "the period is too short for so long a demonstration");
+  }
   TROCAR_ASSIGN_OR_RETURN(Stretch stretch, stretch_of(document, document.begin_s, document.end_s, 2));
   const ContactLock lock(stretch.samples);
   std::array<Wander, 2> wander{Wander(edit, 0), Wander(edit, 1)};

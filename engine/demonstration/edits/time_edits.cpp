@@ -14,6 +14,8 @@ namespace {
 
 /// An hour; more is a slip of the keyboard.
 constexpr double kLongest_s = 3600.0;
+/// Over half a day at 200 Hz.
+constexpr double kMostSamples = 1e7;
 
 /// How far the faster tool goes from one sample to the next.
 double step_m(const Sample& a, const Sample& b) {
@@ -86,6 +88,9 @@ Result<Demonstration> made_by(const Demonstration& document, const Resample& edi
                 fmt::format("a rate must be 1000 Hz divided by a whole number; the nearest to {:g} is {:g} Hz",
                             edit.rate_hz, nearest));
   }
+  if (document.full_duration_s() * edit.rate_hz > kMostSamples) {
+    return fail(ErrorCode::kInvalidArgument, "that would make more than ten million samples");
+  }
   const std::vector<Sample> samples = document.samples.to_vector();
   std::vector<double> ticks;
   for (const Sample& sample : samples) ticks.push_back(static_cast<double>(sample.tick - samples.front().tick));
@@ -105,6 +110,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Retime& edit)
   if (ticks.back() > kLongest_s * static_cast<double>(Tick::kPerSecond)) {
     return fail(ErrorCode::kInvalidArgument, "the span would last for more than an hour");
   }
+  if (!(ticks.back() >= 1.0)) return fail(ErrorCode::kInvalidArgument, "the span would have no duration");
   // The grid of the samples goes on behind the span, so that its length is a whole number of steps.
   constexpr std::int64_t kStep = kTicksPerSample;
   const auto length = std::max<std::int64_t>(std::llround(ticks.back() / static_cast<double>(kStep)), 1) * kStep;

@@ -68,6 +68,9 @@ Result<Demonstration> made_by(const Demonstration& document, const Retarget& edi
   if (edit.block < 0 || edit.block >= peg_board::kBlockCount || edit.goal < 0 || edit.goal >= 6) {
     return fail(ErrorCode::kInvalidArgument, "blocks and goal pegs are numbered 0 to 5");
   }
+  if (document.block < 0 || document.block >= peg_board::kBlockCount || document.goal < 0 || document.goal >= 6) {
+    return fail(ErrorCode::kInvalidArgument, "it is not known which block was carried to which peg");
+  }
   TROCAR_ASSIGN_OR_RETURN(const RetargetShare share, share_of(document));
   const Eigen::Vector3d to_block = peg_board::start_peg(edit.block) - peg_board::start_peg(document.block);
   const Eigen::Vector3d to_goal = peg_board::goal_peg(edit.goal) - peg_board::goal_peg(document.goal);

@@ -348,3 +348,29 @@ TEST_CASE("an edit of the stack is switched off, moved, changed and removed with
   REQUIRE_FALSE(broken);
   CHECK(broken.error().text().starts_with("edit 2 (trim) can then not be applied: "));
 }
+
+TEST_CASE("huge parameters and a gap of years are refused in a sentence, at once") {
+  Recording recording = testing::moving_recording(100);
+  for (std::size_t i = 50; i < recording.samples.size(); ++i) recording.samples[i].tick += 900'000'000'000;
+  recording.provenance.block = 77;
+  const auto document =
+      make_demonstration({1}, "Years", std::make_shared<const Recording>(std::move(recording))).value();
+  const auto error = [&](const Edit& edit) {
+    const Result<Demonstration> result = apply(document, edit);
+    return result ? std::string() : result.error().text();
+  };
+  CHECK(error(Bridge{0.1, document.end_s, Arms::kBoth, BridgeShape::kStraight, 0.0, {}}) ==
+        "the bridge would last for more than an hour");
+  CHECK(error(Bridge{0.1, 0.2, Arms::kBoth, BridgeShape::kStraight, 1e-12, {}}) ==
+        "the bridge would last for more than an hour");
+  CHECK(error(Resample{100.0}) == "that would make more than ten million samples");
+  CHECK(error(Perturb{0.001, 1.0, 1}) == "the period is too short for so long a demonstration");
+  CHECK(error(Retime{0.0, 0.2, RetimeTo::kScale, 1e-12}) == "the span would have no duration");
+  CHECK(error(Retime{0.0, 0.2, RetimeTo::kScale, 1e12}) == "the span would last for more than an hour");
+  CHECK(error(ProposeLabels{}) == "it is not known which block was to be carried");
+  CHECK(error(Retarget{1, 1}) == "it is not known which block was carried to which peg");
+  CHECK_FALSE(error(MoveTool{Arms::kLeft, std::nan(""), Eigen::Vector3d::Zero(), 1.0}).empty());
+  CHECK_FALSE(error(MoveTool{Arms::kLeft, 0.1, Eigen::Vector3d::Constant(1e300), 0.1}).empty());
+  CHECK_FALSE(error(SetJaw{Arms::kLeft, 0.0, 0.2, std::nan(""), 0.1}).empty());
+  CHECK_FALSE(error(Smooth{0.0, 0.2, Arms::kLeft, Filter::kGaussian, std::nan(""), 0.1}).empty());
+}
