@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/demonstration/jaw_limits.h"
 #include "engine/demonstration/motion.h"
 #include "engine/demonstration/problem_spans.h"
 
@@ -18,15 +19,11 @@ namespace {
 constexpr double kBeyondWrist_m = 0.020;
 /// Further out than any bending of the arms explains: another frame, or another unit.
 constexpr double kFarOutside_m = 0.1;
-/// The dVRK's jaws.
-constexpr double kJawLow_rad = -40.0 * std::numbers::pi / 180.0;
-constexpr double kJawHigh_rad = 80.0 * std::numbers::pi / 180.0;
 constexpr double kJawRate_rad_s = 8.0;
 /// The guard of an arm holds at a larger step.
 constexpr double kLeap_m = 0.005;
 /// What the limiter lets through at its limit differs from it by rounding only.
 constexpr double kAtLimit = 1.01;
-constexpr double kAngleRounding_rad = 1e-6;
 
 constexpr std::array<const char*, 2> kTools{"left", "right"};
 
@@ -49,7 +46,7 @@ void check_places(const Demonstration& document, std::size_t arm, std::vector<Pr
         std::max(distance_outside_m(tool.setpoint().p), distance_outside_m(measured_tip(sample, arm)));
     if (distance_m > 0.0) outside.add(t_s, distance_m);
     const double beyond_rad = std::max(kJawLow_rad - tool.setpoint_jaw_rad, tool.setpoint_jaw_rad - kJawHigh_rad);
-    if (beyond_rad > kAngleRounding_rad) jaw.add(t_s, beyond_rad);
+    if (beyond_rad > kJawRounding_rad) jaw.add(t_s, beyond_rad);
   }
   for (const ProblemSpan& span : outside.spans()) {
     found.push_back({ProblemKind::kWorkspace, span.worst > kFarOutside_m ? Severity::kError : Severity::kWarning,

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -36,21 +35,9 @@ void add_board(const Meshes& meshes, scene::Scene& scene) {
   }
 }
 
-/// A resting block trembles by less than this in the simulator; held still, it need not be drawn again and again.
-Pose steadied(const Pose& pose) {
-  constexpr double kStep_m = 5e-6;
-  constexpr double kStep_turn = 2.5e-4;
-  const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
-  Pose steady;
-  for (int i = 0; i < 3; ++i) steady.p[i] = rounded(pose.p[i], kStep_m);
-  for (int i = 0; i < 4; ++i) steady.q.coeffs()[i] = rounded(pose.q.coeffs()[i], kStep_turn);
-  steady.q.normalize();
-  return steady;
-}
-
 void add_blocks(const Meshes& meshes, const Pose3d& pose, int highlighted, scene::Scene& scene) {
   for (int i = 0; i < peg_board::kBlockCount; ++i) {
-    const Pose X_WK = steadied(pose.blocks[static_cast<std::size_t>(i)]);
+    const Pose& X_WK = pose.blocks[static_cast<std::size_t>(i)];
     scene.nodes.push_back({meshes.block, palette::block(i, i == highlighted), scene::node_pose(X_WK)});
     if (i != highlighted) continue;
     // Under the block, on the board, also while it is in the air.

@@ -37,13 +37,7 @@ void LiveRunner::run(const std::stop_token& stop) {
 
     const double simulated_s = session_.state().tick.seconds();
     const double wall_s = duration<double>(SteadyClock::now() - begin).count();
-    views_.back() = {session_.state(),
-                     session_.segment(),
-                     session_.authority(),
-                     simulated_s,
-                     samples,
-                     wall_s > 0.0 ? simulated_s / wall_s : 0.0};
-    views_.publish();
+    show(samples, wall_s);
 
     const bool last = batch.last;
     if (!hand_over(std::move(batch), stop) || last) return;

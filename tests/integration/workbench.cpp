@@ -51,6 +51,29 @@ TEST_CASE("a recorded transfer is in the project, selected, placed and verified"
   CHECK(bench.state().jobs.front().state == JobState::kDone);
 }
 
+TEST_CASE("a preview shows what an edit would do, is gone after the edit, and says why one cannot be made") {
+  Bench bench;
+  bench.record();
+  const DemonstrationId id = bench.state().demonstration;
+  const demonstration::Edit offset = demonstration::Offset{demonstration::Arms::kLeft, {0.0, 0.0, 0.005}};
+  const std::uint64_t before = bench.state().project->demonstrations.at(id)->hash();
+  bench.run(PreviewEdit{offset, 0});
+  REQUIRE(bench.state().preview);
+  REQUIRE(bench.state().preview->after);
+  CHECK(bench.state().preview->difference.max_deviation_m == doctest::Approx(0.005).epsilon(1e-4));
+  CHECK(bench.state().project->demonstrations.at(id)->hash() == before);
+  const std::uint64_t promised = bench.state().preview->after->hash();
+  bench.run(CommitEdit{EditDemonstration{id, offset}});
+  CHECK(bench.state().project->demonstrations.at(id)->hash() == promised);
+  CHECK_FALSE(bench.state().preview);
+  bench.run(PreviewEdit{demonstration::Trim{80.0, 90.0}, 0});
+  REQUIRE(bench.state().preview);
+  CHECK_FALSE(bench.state().preview->after);
+  CHECK_FALSE(bench.state().preview->error.empty());
+  bench.run(EndPreview{});
+  CHECK_FALSE(bench.state().preview);
+}
+
 TEST_CASE("a trained model is selected with its field and rollouts, stale after an edit and fresh after undo") {
   Bench bench;
   bench.record();

@@ -46,13 +46,12 @@ std::string name_of_entry(const StackEntry& entry) {
 
 void EditsPanel::begin(const Edit& edit, const Demonstration& shown, std::int64_t entry) {
   draft_ =
-      Draft{shown.id, entry, std::string(demonstration::name_of(edit)), demonstration::options_of(edit), {}, false};
+      Draft{shown.id, entry, std::string(demonstration::name_of(edit)), demonstration::options_of(edit), {}, nullptr};
 }
 
 void EditsPanel::request_preview(Requests& requests) {
   const Result<Edit> edit = demonstration::edit_from_options(draft_->name, draft_->options);
   draft_->problem = edit ? "" : edit.error().text();
-  draft_->requested = true;
   if (edit) requests.emplace_back(Command{workbench::PreviewEdit{*edit, draft_->entry}});
 }
 
@@ -103,7 +102,10 @@ void EditsPanel::draw_outcome(Ui& ui, const WorkbenchState& state) {
 void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "Draft");
   heading(ui, demonstration::title_of(draft_->name));
-  bool changed = !draft_->requested;
+  // Also when the demonstration has changed meanwhile, as by undo.
+  const auto shown = selected_demonstration(state);
+  bool changed = draft_->previewed != shown;
+  draft_->previewed = shown;
   for (EditOption& option : draft_->options) changed |= draw_option(ui, option);
   if (changed) request_preview(requests);
   ImGui::Dummy({0.0F, ui.px(2)});
@@ -113,7 +115,6 @@ void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& reque
   const bool apply = button(ui, draft_->entry == 0 ? "Apply" : "Change",
                             {.icon = icon::kVerify,
                              .help = "Commit the edit; it can be undone, changed and switched off",
-                             .shortcut = "Enter",
                              .reason = impossible ? "The edit cannot be made as it is" : "",
                              .style = ButtonStyle::kPrimary});
   ImGui::SameLine();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,8 @@ class EditsPanel final : public Panel {
     std::int64_t entry = 0;  ///< Of the stack, to be changed; 0: a new edit.
     std::string name;        ///< Of the kind of edit.
     std::vector<demonstration::EditOption> options;
-    std::string problem;  ///< Why the parameters make no edit.
-    bool requested = false;
+    std::string problem;                                            ///< Why the parameters make no edit.
+    std::shared_ptr<const demonstration::Demonstration> previewed;  ///< What the last preview was asked for.
   };
 
   void begin(const demonstration::Edit& edit, const demonstration::Demonstration& shown, std::int64_t entry);

@@ -4,15 +4,13 @@
 
 #include "engine/demonstration/edits/edit_functions.h"
 #include "engine/demonstration/edits/stretch.h"
+#include "engine/demonstration/jaw_limits.h"
 
 namespace trocar::demonstration {
 
 Result<Demonstration> made_by(const Demonstration& document, const SetJaw& edit) {
-  // The dVRK's large needle driver opens to 80° and can be closed beyond 0 to press.
-  constexpr double kLowest_rad = -0.35;
-  constexpr double kHighest_rad = 1.4;
-  if (!(edit.jaw_rad >= kLowest_rad && edit.jaw_rad <= kHighest_rad)) {
-    return fail(ErrorCode::kInvalidArgument, "a jaw opens from -20° to 80°");
+  if (!(edit.jaw_rad >= kJawLow_rad - kJawRounding_rad && edit.jaw_rad <= kJawHigh_rad + kJawRounding_rad)) {
+    return fail(ErrorCode::kInvalidArgument, "a jaw opens from −40° to 80°");
   }
   if (!(edit.ramp_s >= 0.0) || edit.ramp_s > 60.0) {
     return fail(ErrorCode::kInvalidArgument, "the ramp must be a number from 0 to 60 s");

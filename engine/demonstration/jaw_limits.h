@@ -1,0 +1,13 @@
+/// How far the dVRK's jaws go; what checks report and edits refuse. A test holds it to the kinematics' model.
+#pragma once
+
+#include <numbers>
+
+namespace trocar::demonstration {
+
+constexpr double kJawLow_rad = -40.0 * std::numbers::pi / 180.0;
+constexpr double kJawHigh_rad = 80.0 * std::numbers::pi / 180.0;
+/// The rounding of an angle that was typed in degrees or kept in single precision.
+constexpr double kJawRounding_rad = 1e-6;
+
+}  // namespace trocar::demonstration

@@ -1,0 +1,97 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "engine/workbench/edit_preview.h"
+#include "tests/support/ui_desk.h"
+#include "tests/support/ui_state.h"
+
+namespace trocar::ui {
+namespace {
+
+/// A desk with the form for a new edit of the chosen kind open.
+struct EditDesk : Desk {
+  explicit EditDesk(const std::string& kind) : Desk(testing::made_state()) {
+    CHECK(text_of(driver().click("Menu/Workspaces/Author")) == "");
+    CHECK(text_of(driver().click("Tabs/Edits")) == "");
+    CHECK(text_of(driver().click("Edits/Kind of edit")) == "");
+    CHECK(text_of(driver().click("Edits/Kind of edit/" + kind)) == "");
+    CHECK(text_of(driver().click("Edits/Add edit…")) == "");
+    CHECK(driver().frames(2));
+  }
+  int commits() const {
+    return static_cast<int>(std::count_if(commands.begin(), commands.end(), [](const workbench::Command& command) {
+      return std::holds_alternative<workbench::CommitEdit>(command);
+    }));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an edit is previewed while its parameters change and committed once") {
+  EditDesk desk("Move");
+  REQUIRE(desk.last<workbench::PreviewEdit>() != nullptr);
+  CHECK(text_of(desk.driver().type("Edits/Draft/By", "0,0,2.5")) == "");
+  CHECK(desk.driver().frames(2));
+  const auto& previewed = std::get<demonstration::MoveTool>(desk.last<workbench::PreviewEdit>()->edit);
+  CHECK(previewed.by_m == Eigen::Vector3d(0.0, 0.0, 0.0025));
+  CHECK(desk.commits() == 0);
+  CHECK(text_of(desk.driver().click("Edits/Draft/Apply")) == "");
+  CHECK(desk.commits() == 1);
+  const auto& edit = std::get<workbench::EditDemonstration>(desk.last<workbench::CommitEdit>()->edit);
+  CHECK(std::get<demonstration::MoveTool>(edit.edit).by_m.z() == 0.0025);
+  CHECK(desk.last<workbench::EndPreview>() != nullptr);
+  CHECK(text_of(desk.driver().expect_present("Edits/Draft/Apply", false)) == "");
+}
+
+TEST_CASE("Escape leaves an edit, and nothing is committed") {
+  EditDesk desk("Offset");
+  CHECK(text_of(desk.driver().key("Escape")) == "");
+  CHECK(desk.driver().frames(2));
+  CHECK(desk.commits() == 0);
+  CHECK(desk.last<workbench::EndPreview>() != nullptr);
+  CHECK(text_of(desk.driver().expect_present("Edits/Draft/Apply", false)) == "");
+}
+
+TEST_CASE("what makes no edit cannot be applied") {
+  EditDesk desk("Move");
+  CHECK(text_of(desk.driver().type("Edits/Draft/By", "far")) == "");
+  CHECK(desk.driver().frames(2));
+  CHECK(text_of(desk.driver().expect_enabled("Edits/Draft/Apply", false)) == "");
+}
+
+TEST_CASE("when the demonstration changes below an open form, its preview is asked for again") {
+  EditDesk desk("Move");
+  desk.commands.clear();
+  const auto shown = desk.state.project->demonstrations.at({1});
+  auto project = std::make_shared<workbench::Project>(*desk.state.project);
+  project->demonstrations[{1}] = std::make_shared<const demonstration::Demonstration>(*shown);
+  desk.state.project = project;
+  CHECK(desk.driver().frames(2));
+  CHECK(desk.last<workbench::PreviewEdit>() != nullptr);
+}
+
+TEST_CASE("an edit of the stack is switched off, moved and removed") {
+  auto state = testing::made_state();
+  const auto& shown = *state.project->demonstrations.at({1});
+  auto edited = demonstration::apply(shown, demonstration::Offset{demonstration::Arms::kLeft, {0.001, 0.0, 0.0}}, 11);
+  edited = demonstration::apply(*edited, demonstration::Trim{1.0, 5.0}, 12);
+  auto project = std::make_shared<workbench::Project>(*state.project);
+  project->demonstrations[{1}] = std::make_shared<const demonstration::Demonstration>(*edited);
+  state.project = project;
+  Desk desk(state);
+  CHECK(text_of(desk.driver().click("Menu/Workspaces/Author")) == "");
+  CHECK(text_of(desk.driver().click("Tabs/Edits")) == "");
+  CHECK(text_of(desk.driver().click("Edits/Stack/1/Offset")) == "");
+  const auto& off = std::get<workbench::EnableStackEntry>(desk.last<workbench::CommitEdit>()->edit);
+  CHECK(off.entry == 11);
+  CHECK_FALSE(off.enabled);
+  CHECK(text_of(desk.driver().click("Edits/Stack/2/Earlier")) == "");
+  const auto& moved = std::get<workbench::MoveStackEntry>(desk.last<workbench::CommitEdit>()->edit);
+  CHECK(moved.entry == 12);
+  CHECK(moved.place == 0);
+  CHECK(text_of(desk.driver().click("Edits/Stack/2/Remove")) == "");
+  CHECK(std::get<workbench::RemoveStackEntry>(desk.last<workbench::CommitEdit>()->edit).entry == 12);
+}
+
+}  // namespace trocar::ui
