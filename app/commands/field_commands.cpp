@@ -5,8 +5,8 @@
 
 #include "app/lookup.h"
 #include "app/options.h"
-#include "engine/figure/field_figure.h"
 #include "engine/media/picture_file.h"
+#include "engine/workbench/jobs/field_job.h"
 
 namespace trocar::app {
 namespace {
@@ -65,7 +65,7 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   const learning::Field field = learning::field(*entry->model, layer);
-  figure::FieldFigureOptions options = figure::suggested_options(field);
+  figure::FieldFigureOptions options = workbench::figure_options(*entry, field);
   if (!arguments.slice.empty()) {
     TROCAR_ASSIGN_OR_RETURN(options.slice, figure::slice_from(arguments.slice, field.grid));
   }

@@ -47,8 +47,7 @@ bool is_sampled(const learning::Model& model) {
 /// How the training went, from the JSON: what was explored, or how the solver ended.
 std::string learned_text(const Json& json) {
   if (json["fully_explored"].is_null()) {
-    return fmt::format("{} iterations, mismatch {:.2g}", json["iterations"].get<std::size_t>(),
-                       json["mismatch"].is_null() ? 0.0 : json["mismatch"].get<double>());
+    return fmt::format("{} iterations", json["iterations"].get<std::size_t>());
   }
   return fmt::format("{} explored fully, {} not at all", json["fully_explored"].get<int>(),
                      json["fully_unexplored"].get<int>());

@@ -4,6 +4,7 @@
 
 #include "app/lookup.h"
 #include "app/options.h"
+#include "engine/figure/legend.h"
 #include "engine/media/picture_file.h"
 #include "engine/workbench/studio.h"
 
@@ -34,7 +35,7 @@ void bind_render(CLI::App& verb, RenderArguments& arguments) {
   verb.add_option("--samples", arguments.samples, "Samples for each pixel")
       ->check(CLI::IsMember({1, 2, 4}))
       ->capture_default_str();
-  verb.add_flag("--path", arguments.path, "Draw the left tool's path, coloured by segment");
+  verb.add_flag("--path", arguments.path, "Draw both tools' paths, coloured by segment");
   verb.add_option("--model", arguments.model, "Draw a field of this model through its goal");
   verb.add_option("--layer", arguments.layer, "Which field")->capture_default_str();
   verb.add_option("--out", arguments.out, "F.png")->required();
@@ -77,17 +78,23 @@ Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
   request.render = {.width = size.first, .height = size.second, .samples = arguments.samples};
   if (arguments.path) {
     request.paths = std::make_shared<const std::vector<stage::PathLayer>>(
-        std::vector{stage::path_of(*demonstration, kinematics::ArmSide::kLeft)});
+        std::vector{stage::path_of(*demonstration, kinematics::ArmSide::kLeft),
+                    stage::path_of(*demonstration, kinematics::ArmSide::kRight)});
   }
+  std::string owner;
   if (!arguments.model.empty()) {
     TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
     TROCAR_ASSIGN_OR_RETURN(stage::FieldLayer layer, layer_of(*entry, arguments.layer));
     request.fields.push_back(std::move(layer));
     request.options.lattice_frame = true;
+    owner = fmt::format("{}, segment {}", entry->name, demonstration::letter(entry->segment));
   }
   TROCAR_ASSIGN_OR_RETURN(workbench::Studio studio, workbench::Studio::create());
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
-  TROCAR_ASSIGN_OR_RETURN(const Image picture, studio.picture(request));
+  TROCAR_ASSIGN_OR_RETURN(Image picture, studio.picture(request));
+  for (const stage::FieldLayer& layer : request.fields) {
+    picture = figure::with_legend(picture, *layer.field, layer.map, layer.scale, owner);
+  }
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_RETURN_IF_ERROR(media::write_png(arguments.out, picture));
 

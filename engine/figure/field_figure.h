@@ -26,15 +26,17 @@ struct FieldFigureOptions {
   std::optional<Slice> slice;  ///< None: a montage of all slices along z.
   plot::ColourMap map = plot::ColourMap::kViridis;
   plot::ScaleKind scale = plot::ScaleKind::kLinear;
-  int width_px = 1000;          ///< At least 320; the figure grows where a cell would be narrower than 2 pixels.
-  std::string subtitle;         ///< Beside the title: "exact, segment A". Empty: none.
+  int width_px = 1000;          ///< At least 320; the figure grows where letters or cells would be too small to see.
+  std::string subtitle;         ///< Whose field it is, below the title. Empty: none.
   learning::CellSequence path;  ///< Cells with a dot: the expert's. Empty: none.
   spatial::CellSet safe;        ///< Outlined. Empty: none.
+  std::optional<spatial::CellIndex> start;  ///< With a square. None: not known.
+  std::optional<spatial::CellIndex> goal;   ///< With a diamond. None: not known.
 };
 
 /// The colour map and scale that suit the layer (diverging for signed, categorical for classes).
 FieldFigureOptions suggested_options(const learning::Field& field);
-/// With the expert's cells and the safe set of the model, and a subtitle that names its method.
+/// With the model's start, goal, expert's cells and safe set, and a subtitle that names its method.
 FieldFigureOptions suggested_options(const learning::Field& field, const learning::Model& model);
 
 /// One colour for each of `field.categories`: pale grey for a class that means "nothing here".

@@ -82,6 +82,8 @@ FieldFigureOptions suggested_options(const learning::Field& field, const learnin
     options.path.insert(options.path.end(), cells.begin(), cells.end());
   }
   options.safe = model.safe;
+  options.start = model.start;
+  options.goal = model.goal;
   options.subtitle = learning::to_string(model.options.method);
   if (model.options.method != learning::Method::kExact) {
     options.subtitle += fmt::format(", ε = {}, {} episodes, seed {}", model.options.epsilon,

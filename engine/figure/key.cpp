@@ -16,8 +16,8 @@ constexpr double kGap = 7.0;
 constexpr double kRow = 24.0;
 constexpr double kSwatch = 15.0;
 
-TextStyle label_style(double unit) {
-  return {14.0 * unit, canvas::Weight::kRegular, kInk, canvas::Align::kLeft};
+TextStyle label_style(double unit, Rgba ink = kInk) {
+  return {14.0 * unit, canvas::Weight::kRegular, ink, canvas::Align::kLeft};
 }
 
 struct BarTicks {
@@ -33,13 +33,15 @@ BarTicks bar_ticks(const plot::Scale& scale) {
 }
 
 /// The marks that this figure has, from the top.
-enum class Mark { kPath, kSafe, kUnknown };
+enum class Mark { kStart, kGoal, kPath, kSafe, kUnknown };
 struct MarkRow {
   Mark mark;
   const char* text;
 };
 std::vector<MarkRow> mark_rows(const learning::Field& field, const FieldFigureOptions& options) {
   std::vector<MarkRow> rows;
+  if (options.start) rows.push_back({Mark::kStart, "start"});
+  if (options.goal) rows.push_back({Mark::kGoal, "goal"});
   if (!options.path.empty()) rows.push_back({Mark::kPath, "expert"});
   if (!options.safe.empty()) rows.push_back({Mark::kSafe, "safe set"});
   const bool whole = std::all_of(field.values.begin(), field.values.end(), [](double v) { return std::isfinite(v); });
@@ -49,6 +51,8 @@ std::vector<MarkRow> mark_rows(const learning::Field& field, const FieldFigureOp
 
 void draw_swatch(Canvas& canvas, Mark mark, double x, double y, double size) {
   const canvas::Point middle{x + size / 2, y + size / 2};
+  if (mark == Mark::kStart) draw_start_mark(canvas, middle, 0.42 * size);
+  if (mark == Mark::kGoal) draw_goal_mark(canvas, middle, 0.42 * size);
   if (mark == Mark::kPath) draw_path_mark(canvas, middle, 0.3 * size);
   if (mark == Mark::kSafe) draw_safe_line(canvas, {x, middle.y}, {x + size, middle.y}, 0.14 * size);
   if (mark != Mark::kUnknown) return;
@@ -74,11 +78,11 @@ void draw_points(Canvas& canvas, const FieldLook& look, const Clipping& clipping
   const std::vector<canvas::Point> down{{bar.x, bottom}, {bar.x + width / 2, bottom + tall}, {bar.x + width, bottom}};
   if (clipping.above) {
     canvas.polygon(up, plot::colour(look.map, 1.0));
-    canvas.polyline(up, kInk, 1.0);
+    canvas.polyline(up, bar.ink, 1.0);
   }
   if (clipping.below) {
     canvas.polygon(down, plot::colour(look.map, 0.0));
-    canvas.polyline(down, kInk, 1.0);
+    canvas.polyline(down, bar.ink, 1.0);
   }
 }
 
@@ -94,19 +98,19 @@ void draw_bar(Canvas& canvas, const FieldLook& look, const Clipping& clipping, c
     canvas.rectangle(bar.x, top, width, bar.height / steps + (i + 1 < steps ? 0.5 : 0.0),
                      plot::colour(look.map, 1.0 - (i + 0.5) / steps));
   }
-  canvas.outline(bar.x, bar.y, width, bar.height, kInk, 1.0);
+  canvas.outline(bar.x, bar.y, width, bar.height, bar.ink, 1.0);
   draw_points(canvas, look, clipping, bar);
   const BarTicks ticks = bar_ticks(look.scale);
-  const TextStyle style = label_style(bar.unit);
+  const TextStyle style = label_style(bar.unit, bar.ink);
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
     const double y = std::round(bar.y + bar.height * (1.0 - look.scale.position(ticks.values[i])) - 0.5) + 0.5;
-    canvas.line({bar.x + width, y}, {bar.x + width + kTick * bar.unit, y}, kInk, 1.0);
+    canvas.line({bar.x + width, y}, {bar.x + width + kTick * bar.unit, y}, bar.ink, 1.0);
     canvas.text({bar.x + width + (kTick + kGap) * bar.unit, y + 0.36 * style.size_px}, ticks.labels[i], style);
   }
 }
 
 void draw_classes(Canvas& canvas, const learning::Field& field, const FieldLook& look, const KeyPlace& place) {
-  const TextStyle style = label_style(place.unit);
+  const TextStyle style = label_style(place.unit, place.ink);
   const double size = kSwatch * place.unit;
   for (std::size_t i = 0; i < field.categories.size(); ++i) {
     const double y = place.y + kRow * place.unit * static_cast<double>(i);
@@ -126,7 +130,7 @@ void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOpt
   double y = place.y + place.height - marks_height + row - kSwatch * place.unit;
   if (look.categories.empty()) {
     const double head = field.unit.empty() ? 0.0 : row;
-    if (head > 0.0) canvas.text({place.x, place.y + 0.6 * row}, field.unit, label_style(place.unit));
+    if (head > 0.0) canvas.text({place.x, place.y + 0.6 * row}, field.unit, label_style(place.unit, place.ink));
     KeyPlace bar = place;
     bar.y += head;
     bar.height -= head + marks_height + (marks.empty() ? 0.0 : 0.8 * row);
@@ -135,7 +139,7 @@ void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOpt
     draw_classes(canvas, field, look, place);
     y = place.y + row * (static_cast<double>(field.categories.size()) + 0.6);
   }
-  const TextStyle style = label_style(place.unit);
+  const TextStyle style = label_style(place.unit, place.ink);
   for (const MarkRow& mark : marks) {
     const double size = kSwatch * place.unit;
     draw_swatch(canvas, mark.mark, place.x, y, size);

@@ -10,6 +10,7 @@ struct KeyPlace {
   double y = 0.0;
   double height = 0.0;  ///< All that there is.
   double unit = 1.0;    ///< Scales letters and widths.
+  Rgba ink = kInk;      ///< Of letters and frames.
 };
 
 void draw_key(canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,

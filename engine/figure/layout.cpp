@@ -20,6 +20,8 @@ using canvas::Weight;
 constexpr double kTitle = 24.0;
 constexpr double kText = 15.0;
 constexpr double kTick = 14.0;
+constexpr double kLine = 21.0;
+constexpr double kLeastUnit = 0.6;  // Smaller letters cannot be read.
 
 TextStyle style(double size, Weight weight, Rgba colour, Align align) {
   return {size, weight, colour, align};
@@ -32,17 +34,30 @@ std::string number_mm(double mm) {
   return rounded < 0.0 ? std::string(plot::unicode_minus()) + text : text;
 }
 
-std::string subtitle(const learning::Field& field, const FieldFigureOptions& options) {
+/// Where the cells of the figure are.
+std::string place_line(const learning::Field& field, const FieldFigureOptions& options) {
   const spatial::Grid& grid = field.grid;
   std::string where;
   if (options.slice) {
     where = fmt::format("slice {} = {}, at {} mm", kAxisLetters[static_cast<std::size_t>(options.slice->axis)],
                         options.slice->index, number_mm(position_mm(grid, *options.slice)));
   } else {
-    where = fmt::format("{} slices along z, lowest first", grid.n);
+    where = fmt::format("{} slices along z, from {} to {} mm", grid.n, number_mm(position_mm(grid, {2, 0})),
+                        number_mm(position_mm(grid, {2, grid.n - 1})));
   }
-  where += fmt::format(", cells of {} mm", number_mm(spatial::to_mm(grid.cell_m)));
-  return options.subtitle.empty() ? where : options.subtitle + "   ·   " + where;
+  return where +
+         fmt::format(", lattice of {0} × {0} × {0} cells of {1} mm", grid.n, number_mm(spatial::to_mm(grid.cell_m)));
+}
+
+/// Shortens from the end until it fits.
+std::string fitted(const Canvas& canvas, std::string text, const TextStyle& letters, double width) {
+  if (canvas.text_width(text, letters) <= width) return text;
+  const auto is_inside_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  while (!text.empty() && canvas.text_width(text + "…", letters) > width) {
+    while (text.size() > 1 && is_inside_letter(text.back())) text.pop_back();
+    text.pop_back();
+  }
+  return text + "…";
 }
 
 void draw_horizontal_axis(Canvas& canvas, const spatial::Grid& grid, int axis, const PanelPlace& place, double unit) {
@@ -89,22 +104,66 @@ PanelPlace place_of(const Layout& layout, int panel) {
           static_cast<double>(layout.cell_px)};
 }
 
+/// What stands over the panels of a montage: index and height, in letters that let both fit, or the index alone.
+struct Heading {
+  double size_px = 13.0;
+  bool height = true;
+};
+
+std::string index_text(int k) {
+  return fmt::format("z = {}", k);
+}
+
+std::string height_text(const spatial::Grid& grid, int k) {
+  return fmt::format("{} mm", number_mm(position_mm(grid, {2, k})));
+}
+
+Heading heading_of(const Canvas& canvas, const spatial::Grid& grid, const Layout& layout) {
+  for (const double size : {13.0, 11.5}) {
+    const TextStyle bold = style(size * layout.unit, Weight::kSemiBold, kInk, Align::kLeft);
+    const TextStyle regular = style(size * layout.unit, Weight::kRegular, kQuiet, Align::kRight);
+    double widest = 0.0;
+    for (int k = 0; k < grid.n; ++k) {
+      widest =
+          std::max(widest, canvas.text_width(index_text(k), bold) + canvas.text_width(height_text(grid, k), regular));
+    }
+    if (widest + 0.8 * size * layout.unit <= layout.panel_px) return {size * layout.unit, true};
+  }
+  return {13.0 * layout.unit, false};
+}
+
 void draw_montage(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
                   const FieldLook& look, const Layout& layout) {
+  const Heading heading = heading_of(canvas, field.grid, layout);
   for (int k = 0; k < layout.panels; ++k) {
-    const Slice slice{2, k};
     const PanelPlace place = place_of(layout, k);
-    draw_panel(canvas, field, options, look, slice, place);
-    canvas.text({place.x, place.y - 6 * layout.unit}, fmt::format("z = {}", k),
-                style(13.0 * layout.unit, Weight::kSemiBold, kInk, Align::kLeft));
-    canvas.text({place.x + layout.panel_px, place.y - 6 * layout.unit},
-                fmt::format("{} mm", number_mm(position_mm(field.grid, slice))),
-                style(13.0 * layout.unit, Weight::kRegular, kQuiet, Align::kRight));
+    draw_panel(canvas, field, options, look, {2, k}, place);
+    const double base = place.y - 6 * layout.unit;
+    canvas.text({place.x, base}, index_text(k), style(heading.size_px, Weight::kSemiBold, kInk, Align::kLeft));
+    if (!heading.height) continue;
+    canvas.text({place.x + layout.panel_px, base}, height_text(field.grid, k),
+                style(heading.size_px, Weight::kRegular, kQuiet, Align::kRight));
   }
   const FlatAxes axes = flat_axes(Slice{2, 0});
   const PanelPlace corner = place_of(layout, (layout.rows - 1) * layout.columns);
   draw_horizontal_axis(canvas, field.grid, axes.horizontal, corner, layout.unit);
   draw_vertical_axis(canvas, field.grid, axes.vertical, corner, layout.unit);
+}
+
+/// The title, whose field it is, and where its cells are.
+void draw_head(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options, const Layout& layout) {
+  const double u = layout.unit;
+  const double room = layout.width - 56 * u;
+  const TextStyle large = style(kTitle * u, Weight::kBold, kInk, Align::kLeft);
+  canvas.text({28 * u, 44 * u}, fitted(canvas, field.title, large, room), large);
+  double base = 69 * u;
+  const auto line = [&](const std::string& words, Rgba colour) {
+    const TextStyle letters = style(kText * u, Weight::kRegular, colour, Align::kLeft);
+    canvas.text({28 * u, base}, fitted(canvas, words, letters, room), letters);
+    base += kLine * u;
+  };
+  if (!options.subtitle.empty()) line(options.subtitle, kInk);
+  line(place_line(field, options), kQuiet);
 }
 
 }  // namespace
@@ -113,14 +172,14 @@ Layout layout_of(const learning::Field& field, const FieldFigureOptions& options
   Layout layout;
   const int n = field.grid.n;
   layout.width = std::max(320, options.width_px);
-  layout.unit = layout.width / 1000.0;
+  layout.unit = std::max(layout.width / 1000.0, kLeastUnit);
   const auto px = [&](double at_1000) { return static_cast<int>(std::lround(at_1000 * layout.unit)); };
   const bool montage = !options.slice.has_value();
   layout.panels = montage ? n : 1;
   layout.columns = montage ? std::max(1, static_cast<int>(std::ceil(std::sqrt(1.5 * n)))) : 1;
   layout.rows = (layout.panels + layout.columns - 1) / layout.columns;
   layout.left = px(84);
-  layout.top = px(montage ? 116 : 122);
+  layout.top = px((montage ? 116 : 122) + (options.subtitle.empty() ? 0.0 : kLine));
   layout.gap_x = montage ? px(14) : 0;
   layout.gap_y = montage ? px(32) : 0;
   const Canvas measure(Image(1, 1));
@@ -141,8 +200,7 @@ void draw_figure(Canvas& canvas, const learning::Field& field, const FieldFigure
                  const Layout& layout) {
   const double u = layout.unit;
   canvas.rectangle(0, 0, layout.width, layout.height, kPaper);
-  canvas.text({28 * u, 44 * u}, field.title, style(kTitle * u, Weight::kBold, kInk, Align::kLeft));
-  canvas.text({28 * u, 69 * u}, subtitle(field, options), style(kText * u, Weight::kRegular, kQuiet, Align::kLeft));
+  draw_head(canvas, field, options, layout);
   if (options.slice) {
     const PanelPlace place = place_of(layout, 0);
     draw_panel(canvas, field, options, look, *options.slice, place);

@@ -7,6 +7,7 @@ namespace trocar::figure {
 namespace {
 
 constexpr Rgba kSafeLine{20, 20, 24, 255};
+constexpr Rgba kGoalFill{255, 200, 60, 255};
 // Light around dark, so that the line is seen on either end of every map.
 constexpr Rgba kSafeHalo{255, 255, 255, 190};
 
@@ -86,7 +87,38 @@ void draw_path(canvas::Canvas& canvas, const learning::Field& field, const learn
   }
 }
 
+void draw_ends(canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
+               const Slice& slice, const PanelPlace& place) {
+  // Larger than a small cell: the two ends are what is looked for in a montage.
+  const double radius = std::clamp(0.42 * place.cell_px, 4.0, 10.0);
+  const auto centre = [&](const std::optional<spatial::CellIndex>& cell) -> std::optional<canvas::Point> {
+    const std::optional<FlatCell> at = cell ? flat_cell(field.grid, slice, *cell) : std::nullopt;
+    if (!at) return std::nullopt;
+    return canvas::Point{place.x + (at->column + 0.5) * place.cell_px, place.y + (at->row + 0.5) * place.cell_px};
+  };
+  if (const auto at = centre(options.start)) draw_start_mark(canvas, *at, radius);
+  if (const auto at = centre(options.goal)) draw_goal_mark(canvas, *at, radius);
+}
+
 }  // namespace
+
+void draw_start_mark(canvas::Canvas& canvas, canvas::Point centre, double radius) {
+  const double rim = std::max(1.0, 0.22 * radius);
+  const double half = 0.78 * radius;
+  canvas.rectangle(centre.x - half - rim, centre.y - half - rim, 2 * (half + rim), 2 * (half + rim), kInk);
+  canvas.rectangle(centre.x - half, centre.y - half, 2 * half, 2 * half, kPaper);
+}
+
+void draw_goal_mark(canvas::Canvas& canvas, canvas::Point centre, double radius) {
+  const auto diamond = [&centre](double reach) {
+    return std::vector<canvas::Point>{{centre.x, centre.y - reach},
+                                      {centre.x + reach, centre.y},
+                                      {centre.x, centre.y + reach},
+                                      {centre.x - reach, centre.y}};
+  };
+  canvas.polygon(diamond(1.15 * radius + std::max(1.4, 0.31 * radius)), kInk);
+  canvas.polygon(diamond(1.15 * radius), kGoalFill);
+}
 
 void draw_path_mark(canvas::Canvas& canvas, canvas::Point centre, double radius) {
   canvas.circle(centre, radius + std::max(0.7, 0.22 * radius), kInk);
@@ -104,6 +136,7 @@ void draw_panel(canvas::Canvas& canvas, const learning::Field& field, const Fiel
   draw_cells(canvas, pixels, place);
   if (!options.safe.empty()) draw_outline(canvas, outline_of(field, options.safe, slice, place), place.cell_px);
   draw_path(canvas, field, options.path, slice, place);
+  draw_ends(canvas, field, options, slice, place);
   const double side = pixels.width * place.cell_px;
   canvas.outline(place.x, place.y, side, side, kInk, 1.0);
 }

@@ -24,6 +24,8 @@ void draw_panel(canvas::Canvas& canvas, const learning::Field& field, const Fiel
                 const FieldLook& look, const Slice& slice, const PanelPlace& place);
 /// The marks as `draw_panel` draws them, for the legend.
 void draw_path_mark(canvas::Canvas& canvas, canvas::Point centre, double radius);
+void draw_start_mark(canvas::Canvas& canvas, canvas::Point centre, double radius);
+void draw_goal_mark(canvas::Canvas& canvas, canvas::Point centre, double radius);
 void draw_safe_line(canvas::Canvas& canvas, canvas::Point a, canvas::Point b, double width);
 
 }  // namespace trocar::figure

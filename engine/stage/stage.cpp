@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -23,6 +24,9 @@ using spatial::Pose;
 
 // Where the paper's camera sees them, in front of the pegs.
 const Vector3d kScaleBarMiddle_m(0.0265, 0.042, 0.0);
+// … and where the cameras from the other three sides do.
+const Vector3d kScaleBarBehind_m(-0.044, -0.042, 0.0);
+constexpr double kScaleBarAside_m = 0.064;
 const Vector3d kAxesOrigin_m(0.0265, -0.056, 0.0004);
 
 void add_board(const Meshes& meshes, scene::Scene& scene) {
@@ -52,17 +56,35 @@ void add_bar(const Meshes& meshes, const Vector3d& middle, const Vector3d& size,
       {meshes.cube, palette::drawn(colour), scene::node_pose(Pose::translation(middle), size.cast<float>())});
 }
 
-void add_scale_bar(const Meshes& meshes, scene::Scene& scene) {
+/// Along y, or along x, as the picture's right is.
+struct BarPlace {
+  Vector3d middle;
+  int axis;
+};
+
+BarPlace scale_bar_place(const Vector3d& right) {
+  if (std::abs(right.x()) > std::abs(right.y())) {
+    return {Vector3d(0.0, right.x() > 0.0 ? -kScaleBarAside_m : kScaleBarAside_m, 0.0), 0};
+  }
+  return {right.y() >= 0.0 ? kScaleBarMiddle_m : kScaleBarBehind_m, 1};
+}
+
+void add_scale_bar(const Meshes& meshes, const Vector3d& right, scene::Scene& scene) {
   constexpr double kLength_m = 0.010;
   constexpr double kWidth_m = 0.0006;
   constexpr double kHeight_m = 0.0003;
-  const Vector3d lifted = kScaleBarMiddle_m + Vector3d(0.0, 0.0, 0.5 * kHeight_m);
-  add_bar(meshes, lifted, {kWidth_m, kLength_m, kHeight_m}, palette::kRuler, scene);
+  constexpr double kEnd_m = 0.0026;
+  const BarPlace place = scale_bar_place(right);
+  const Vector3d along = Vector3d::Unit(place.axis);
+  const Vector3d across = Vector3d::Unit(1 - place.axis);
+  const Vector3d up(0.0, 0.0, kHeight_m);
+  const Vector3d lifted = place.middle + 0.5 * up;
+  add_bar(meshes, lifted, kLength_m * along + kWidth_m * across + up, palette::kRuler, scene);
   for (const double side : {-0.5, 0.5}) {
-    const Vector3d end = lifted + Vector3d(0.0, side * (kLength_m - kWidth_m), 0.0);
-    add_bar(meshes, end, {0.0026, kWidth_m, kHeight_m}, palette::kRuler, scene);
+    const Vector3d end = lifted + side * (kLength_m - kWidth_m) * along;
+    add_bar(meshes, end, kWidth_m * along + kEnd_m * across + up, palette::kRuler, scene);
   }
-  scene.labels.push_back({kScaleBarMiddle_m, "10 mm", palette::kText, 1.15});
+  scene.labels.push_back({place.middle, "10 mm", palette::kText, 1.15});
 }
 
 void add_axes(const Meshes& meshes, scene::Scene& scene) {
@@ -147,7 +169,7 @@ scene::Scene Stage::scene(const Pose3d& pose, const std::vector<PathLayer>& path
     const bool known = !fields.empty() && fields.front().field != nullptr;
     add_lattice_frame(*meshes_, known ? fields.front().field->grid : spatial::Grid{}, made);
   }
-  if (options.scale_bar) add_scale_bar(*meshes_, made);
+  if (options.scale_bar) add_scale_bar(*meshes_, options.camera_right, made);
   if (options.labels) {
     add_axes(*meshes_, made);
     add_peg_numbers(made);

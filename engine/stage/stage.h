@@ -54,6 +54,8 @@ struct StageOptions {
   bool scale_bar = true;       ///< 10 mm on the board's edge, with its label.
   bool labels = true;          ///< Peg numbers, axes.
   int highlighted_block = -1;
+  /// To the right of the picture, W: the scale bar lies across the view, in front of the pegs.
+  Eigen::Vector3d camera_right{0.0, 1.0, 0.0};
 };
 
 struct Meshes;

@@ -15,7 +15,9 @@ Result<Studio> Studio::create() {
 }
 
 Result<Image> Studio::picture(const ViewRequest& request) {
-  scene::Scene scene = stage_->scene(request.pose, {}, request.fields, request.options);
+  stage::StageOptions options = request.options;
+  options.camera_right = request.camera.X_WC.rotation().col(0);
+  scene::Scene scene = stage_->scene(request.pose, {}, request.fields, options);
   show_paths(request.paths);
   scene.nodes.insert(scene.nodes.end(), path_nodes_.begin(), path_nodes_.end());
   TROCAR_ASSIGN_OR_RETURN(Image image, renderer_.draw(scene, request.camera, request.render));

@@ -11,6 +11,8 @@
 #include <sstream>
 
 #include "engine/core/file.h"
+#include "engine/figure/layout.h"
+#include "engine/figure/legend.h"
 
 using namespace trocar;
 using namespace trocar::figure;
@@ -152,6 +154,91 @@ TEST_CASE("the expert's cells change the picture where they are") {
   options.path = {field.grid.index({3, 4, 5})};
   CHECK_FALSE(draw_field(field, options) == elsewhere);
   CHECK_FALSE(elsewhere == plain);  // The key names the mark.
+}
+
+TEST_CASE("start and goal are marked in their slices, and only there") {
+  const learning::Field field = numbered(22);
+  FieldFigureOptions options;
+  const auto drawn = [&](int z) {
+    options.slice = Slice{2, z};
+    FieldFigureOptions plain = options;
+    plain.start.reset();
+    plain.goal.reset();
+    // The key names the marks in every slice; the cells are left of it.
+    const Image with = draw_field(field, options);
+    const Image without = draw_field(field, plain);
+    const int cells = with.width * 3 / 5;
+    int changed = 0;
+    for (int y = 0; y < std::min(with.height, without.height); ++y) {
+      for (int x = 0; x < cells; ++x) changed += with.at(x, y) == without.at(x, y) ? 0 : 1;
+    }
+    return changed;
+  };
+  options.path = {field.grid.index({1, 1, 1})};  // the key is as wide with and without the two marks
+  options.safe = spatial::cells_within(field.grid, options.path, 1);
+  options.start = field.grid.index({3, 4, 5});
+  options.goal = field.grid.index({9, 2, 7});
+  CHECK(drawn(5) > 20);
+  CHECK(drawn(7) > 20);
+  CHECK(drawn(6) == 0);
+}
+
+TEST_CASE("the two texts over a panel of a montage never touch; where both do not fit, the index stands alone") {
+  for (const int n : {22, 30, 44}) {
+    for (const bool wide_key : {false, true}) {
+      learning::Field field = classes(n);
+      if (wide_key) field.categories[0] = "reaches no goal within the steps that it has";
+      const FieldFigureOptions options = suggested_options(field);
+      const Layout layout = layout_of(field, options, look_of(field, options));
+      const Image picture = draw_field(field, options);
+      const int last = layout.panels - 1;  // it has the longest texts
+      const int left = layout.left + last % layout.columns * (layout.panel_px + layout.gap_x);
+      const int top = layout.top + last / layout.columns * (layout.panel_px + layout.gap_y);
+      std::vector<int> inked;
+      for (int x = left; x < left + layout.panel_px; ++x) {
+        for (int y = top - static_cast<int>(18 * layout.unit); y < top - 2; ++y) {
+          if (picture.at(x, y) == Rgba{255, 255, 255, 255}) continue;
+          inked.push_back(x);
+          break;
+        }
+      }
+      REQUIRE_FALSE(inked.empty());
+      int widest_gap = left + layout.panel_px - inked.back();
+      for (std::size_t i = 1; i < inked.size(); ++i) widest_gap = std::max(widest_gap, inked[i] - inked[i - 1]);
+      CAPTURE(n);
+      CAPTURE(wide_key);
+      CHECK(widest_gap >= static_cast<int>(8 * layout.unit));
+    }
+  }
+}
+
+TEST_CASE("a long name of whose field it is neither leaves the figure nor widens it") {
+  learning::Field field = numbered(22);
+  FieldFigureOptions options = suggested_options(field);
+  options.subtitle = std::string(300, 'W');
+  const Image picture = draw_field(field, options);
+  CHECK(picture.width == 1000);
+  CHECK(has_clear_margin(picture, 16));
+}
+
+TEST_CASE("a legend covers the upper right corner of a picture and nothing else") {
+  const Image picture(960, 540, {40, 50, 60, 255});
+  for (const learning::Field& field : {numbered(22), classes(22)}) {
+    const FieldFigureOptions options = suggested_options(field);
+    const Image with =
+        with_legend(picture, field, options.map, plot::fit_scale(options.scale, field.values, false), "A exact");
+    CHECK(with.width == 960);
+    int corner = 0;
+    int elsewhere = 0;
+    for (int y = 0; y < 540; ++y) {
+      for (int x = 0; x < 960; ++x) {
+        if (with.at(x, y) == picture.at(x, y)) continue;
+        (x > 640 && y < 360 ? corner : elsewhere) += 1;
+      }
+    }
+    CHECK(corner > 5000);
+    CHECK(elsewhere == 0);
+  }
 }
 
 TEST_CASE("the colour bar ends in a point where values lie beyond the scale, and is flat where none do") {

@@ -373,3 +373,35 @@ TEST_CASE("the classes of a field have the colours that its layer names") {
   layer.categories = {{1, 2, 3, 255}, {4, 5, 6, 255}};
   CHECK(stage::colour_of(layer, {0}) == Rgba{4, 5, 6, 255});
 }
+
+TEST_CASE("the scale bar lies across the view of every camera, ten millimetres long, on the board") {
+  stage::StageOptions options = bare();
+  const std::size_t without = loaded().scene(ready_pose(), {}, {}, options).nodes.size();
+  options.scale_bar = true;
+  for (const scene::CameraPreset preset : {scene::CameraPreset::kPaper, scene::CameraPreset::kTop,
+                                           scene::CameraPreset::kSide, scene::CameraPreset::kFront}) {
+    const scene::Camera camera = scene::camera(preset);
+    options.camera_right = camera.X_WC.rotation().col(0);
+    const scene::Scene made = loaded().scene(ready_pose(), {}, {}, options);
+    REQUIRE(made.nodes.size() == without + 3);
+    REQUIRE(made.labels.size() == 1);
+    CHECK(made.labels.front().text == "10 mm");
+    double left = 1e9;
+    double right = -1e9;
+    for (std::size_t i = without; i < made.nodes.size(); ++i) {
+      for (const Vector3d& p_W : points_of(made.nodes[i])) {
+        CHECK(std::abs(p_W.x()) < 0.5 * peg_board::kBoardX_m);
+        CHECK(std::abs(p_W.y()) < 0.5 * peg_board::kBoardY_m);
+        const Vector3d seen = camera.project(p_W, 1280, 720);
+        CHECK(seen.x() > 0.0);
+        CHECK(seen.x() < 1280.0);
+        CHECK(seen.y() > 0.0);
+        CHECK(seen.y() < 720.0);
+        left = std::min(left, p_W.dot(options.camera_right));
+        right = std::max(right, p_W.dot(options.camera_right));
+      }
+    }
+    // Across: its whole length is to the right in the picture.
+    CHECK(right - left == doctest::Approx(0.010).epsilon(0.01));
+  }
+}

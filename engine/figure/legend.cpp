@@ -1,0 +1,56 @@
+#include "engine/figure/legend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/figure/key.h"
+
+namespace trocar::figure {
+namespace {
+
+constexpr Rgba kCard{14, 17, 22, 214};
+constexpr Rgba kBright{238, 241, 245, 255};
+constexpr Rgba kSoft{188, 194, 203, 255};
+
+// Lengths at a height of 720, where the unit is 1.
+constexpr double kPad = 14.0;
+constexpr double kBar = 200.0;
+constexpr double kClass = 24.0;
+constexpr double kTitleLine = 22.0;
+
+double unit_of(const Image& picture) {
+  return std::clamp(std::min(picture.height / 720.0, picture.width / 1000.0), 0.6, 4.0);
+}
+
+}  // namespace
+
+Image with_legend(const Image& picture, const learning::Field& field, plot::ColourMap map, const plot::Scale& scale,
+                  const std::string& owner) {
+  using canvas::TextStyle;
+  const double unit = unit_of(picture);
+  const FieldLook look = look_of(field, map, scale);
+  canvas::Canvas canvas(picture);
+  const TextStyle title{16.0 * unit, canvas::Weight::kSemiBold, kBright, canvas::Align::kLeft};
+  const TextStyle small{13.0 * unit, canvas::Weight::kRegular, kSoft, canvas::Align::kLeft};
+  const double head = (kTitleLine + (owner.empty() ? 0.0 : kTitleLine)) * unit;
+  // Cells that are not known are not drawn in the scene; a key without marks has no word for them.
+  learning::Field known = field;
+  std::replace_if(
+      known.values.begin(), known.values.end(), [](double value) { return !std::isfinite(value); }, scale.low);
+  const double bar = (look.categories.empty() ? kBar : kClass * static_cast<double>(field.categories.size())) * unit;
+  const double wide =
+      2 * kPad * unit + std::max({canvas.text_width(field.title, title), canvas.text_width(owner, small),
+                                  key_width(canvas, known, {}, look, unit)});
+  const double left = picture.width - wide - kPad * unit;
+  const double top = kPad * unit;
+  canvas.rectangle(left, top, wide, head + bar + 2 * kPad * unit, kCard, 6.0 * unit);
+  const double x = left + kPad * unit;
+  double base = top + (kPad + 12.0) * unit;
+  canvas.text({x, base}, field.title, title);
+  base += kTitleLine * unit;
+  if (!owner.empty()) canvas.text({x, base - 2.0 * unit}, owner, small);
+  draw_key(canvas, known, {}, look, {x, top + kPad * unit + head, bar, unit, kBright});
+  return canvas.picture();
+}
+
+}  // namespace trocar::figure

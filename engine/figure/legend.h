@@ -1,0 +1,16 @@
+/// What the colours of a field mean, written on a picture of the scene that shows it.
+#pragma once
+
+#include <string>
+
+#include "engine/core/image.h"
+#include "engine/figure/field_figure.h"
+
+namespace trocar::figure {
+
+/// The picture with a card in its upper right corner: the field's title, `owner` below it ("A exact, segment A"; empty:
+/// none), and the colour bar or the classes. The same pixels for the same arguments.
+Image with_legend(const Image& picture, const learning::Field& field, plot::ColourMap map, const plot::Scale& scale,
+                  const std::string& owner);
+
+}  // namespace trocar::figure
