@@ -28,6 +28,7 @@ class Session {
   bool restless() const;
 
   const ItemLog& items() const { return ui_.items(); }
+  const Ui& ui() const { return ui_; }
   const Settings& settings() const { return settings_; }
   Settings& settings() { return settings_; }
   Window& window() { return window_; }

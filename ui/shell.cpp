@@ -30,6 +30,11 @@ void close_popups_on_escape(const Ui& ui) {
   if (open && ui.input().pressed(Key::kEscape)) ImGui::ClosePopupToLevel(0, true);
 }
 
+// Before anything is drawn, so that the field sees that it was left and hands over what was typed.
+void leave_field_on_tab(const Ui& ui) {
+  if (ImGui::GetIO().WantTextInput && ui.input().pressed(Key::kTab)) ImGui::ClearActiveID();
+}
+
 // What the tabs of a strip show: less where it is narrow.
 enum class TabWords : std::uint8_t { kIconAndTitle, kTitle, kIcons, kIconsOnly };
 
@@ -235,6 +240,8 @@ Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
       // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.
       const bool plain = !chord->modifiers.control && !chord->modifiers.alt;
       if ((typing || form_open()) && (plain || typing)) continue;
+      const bool presses = chord->key == Key::kSpace || chord->key == Key::kEnter;
+      if (presses && plain && ui.focus().shown()) continue;
       if (row.reason_now(state).empty()) append(requests, row.run(state));
     }
   }
@@ -291,10 +298,12 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
 
 ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz, bool close_asked) {
   status_.hint = ui.hint();
+  if (!palette_.is_open()) leave_field_on_tab(ui);
   Requests requests = take_keys(ui, state);
   if (close_asked) requests.emplace_back(UiAction::kQuit);
   append(requests, draw_host(ui, state, frames_hz));
   append(requests, draw_forms(ui, state));
+  if (!palette_.is_open()) ui.take_focus_keys();
   close_popups_on_escape(ui);
   ShellResult result;
   resolve(requests, ui, state, result);

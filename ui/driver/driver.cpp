@@ -113,6 +113,11 @@ Status Driver::wheel(std::string_view path, float steps) {
 }
 
 Status Driver::type(std::string_view path, std::string_view text) {
+  TROCAR_ASSIGN_OR_RETURN(const Item found, item(path));
+  if (found.role != "field") {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("{} is a {} and takes no text; type goes to a field", in_quotes(found.path), found.role));
+  }
   TROCAR_RETURN_IF_ERROR(click(path));
   TROCAR_RETURN_IF_ERROR(key("Ctrl+A"));
   if (text.empty()) TROCAR_RETURN_IF_ERROR(key("Delete"));

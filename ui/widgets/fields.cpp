@@ -119,6 +119,7 @@ bool slider_float(Ui& ui, std::string_view label, float& value, float low, float
 bool number_field(Ui& ui, std::string_view label, std::int64_t& value, std::int64_t low, std::int64_t high,
                   const WidgetOptions& options) {
   begin_field(ui, options);
+  if (ui.focus().take_typing(ui.items().path_of(label))) ImGui::SetKeyboardFocusHere();
   const ImGuiID id = ImGui::GetID(hidden_id(label).c_str());
   ImGui::InputScalar(hidden_id(label).c_str(), ImGuiDataType_S64, &value);
   const bool finished = ImGui::IsItemDeactivatedAfterEdit();
@@ -131,6 +132,7 @@ bool number_field(Ui& ui, std::string_view label, std::int64_t& value, std::int6
 bool text_field(Ui& ui, std::string_view label, std::string& words, std::string_view hint,
                 const WidgetOptions& options) {
   begin_field(ui, options);
+  if (ui.focus().take_typing(ui.items().path_of(label))) ImGui::SetKeyboardFocusHere();
   ImGui::PushStyleColor(ImGuiCol_TextDisabled, to_vec4(ui.theme().text_dim));
   ImGui::InputTextWithHint(hidden_id(label).c_str(), std::string(hint).c_str(), &words);
   ImGui::PopStyleColor();

@@ -35,6 +35,7 @@ struct Item {
   bool scrolls_x = false;    ///< Its region can be scrolled sideways.
   bool scrolls_y = false;    ///< … up and down.
   std::uint32_t region = 0;  ///< Which region it lies in; equal for neighbours.
+  std::uint32_t layer = 0;   ///< The window, form or pop-up that its region belongs to.
   std::string help;
   std::string shortcut;
   bool text_clipped = false;  ///< Its text is wider than its place, or its place is cut off and cannot be scrolled to.
@@ -49,6 +50,8 @@ class ItemLog {
   void begin_frame();
   void push(std::string_view scope);
   void pop();
+  /// What an item with this label would be called here.
+  std::string path_of(std::string_view label) const { return prefix_ + std::string(label); }
   /// The path is made of the open scopes and `item.label`.
   void add(Item item);
   /// The last item's text is `width` wide and needs `padding` beside it; notes whether it is cut off.

@@ -12,16 +12,26 @@ float Ui::px(float at_100) const {
 void Ui::begin_frame(double now_s) {
   items_.begin_frame();
   shown_hint_ = std::exchange(hint_, {});
+  tooltip_.clear();
   now_s_ = now_s;
   animating_ = false;
   wheel_was_taken_ = std::exchange(wheel_taken_, false);
-  if (!hovered_now_) hovered_path_.clear();
+  if (!hovered_now_) {
+    hovered_path_.clear();
+    clicked_path_.clear();
+  }
   hovered_now_ = false;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F) moved_since_click_ = true;
+  if (ImGui::IsAnyMouseDown()) moved_since_click_ = false;
 }
 
 bool Ui::rested_on(std::string_view path) {
   constexpr double kRest_s = 0.4;
   hovered_now_ = true;
+  if (ImGui::IsAnyMouseDown()) clicked_path_ = path;
+  if (!moved_since_click_ || path == clicked_path_) return false;
+  clicked_path_.clear();
   if (path != hovered_path_) {
     hovered_path_ = path;
     hovered_since_s_ = now_s_;

@@ -10,6 +10,7 @@
 #include "ui/textures.h"
 #include "ui/theme.h"
 #include "ui/widgets/item_log.h"
+#include "ui/widgets/keyboard_focus.h"
 #include "ui/window/input.h"
 
 namespace trocar::ui {
@@ -25,6 +26,11 @@ class Ui {
   const InputQueue& input() const { return *input_; }
   ItemLog& items() { return items_; }
   const ItemLog& items() const { return items_; }
+  /// Which widget the keyboard is on.
+  KeyboardFocus& focus() { return focus_; }
+  const KeyboardFocus& focus() const { return focus_; }
+  /// At the end of each frame; see `KeyboardFocus::take_keys`.
+  void take_focus_keys() { focus_.take_keys(items_, *input_, ImGui::GetIO().WantTextInput); }
   float scale() const { return fonts_.scale; }
   /// From pixels at 100 % to pixels now, whole.
   float px(float at_100) const;
@@ -41,7 +47,12 @@ class Ui {
   const std::string& hint() const { return shown_hint_; }
   void set_hint(std::string_view text) { hint_ = text; }
 
-  /// True once the pointer has rested on the item at `path` for a moment; call each frame that it is hovered.
+  /// The path of the item whose tooltip is on screen; empty: none is.
+  const std::string& tooltip() const { return tooltip_; }
+  void set_tooltip(std::string_view path) { tooltip_ = path; }
+
+  /// True once the pointer has rested on the item at `path` for a moment; call each frame that it is hovered. Not after
+  /// a click, until the pointer has been elsewhere: who has pressed the button knows it.
   bool rested_on(std::string_view path);
 
   void begin_frame(double now_s);
@@ -60,7 +71,11 @@ class Ui {
   bool animating_ = false;
   bool wheel_taken_ = false;
   bool wheel_was_taken_ = false;
+  KeyboardFocus focus_;
   std::string hovered_path_;
+  std::string clicked_path_;
+  std::string tooltip_;
+  bool moved_since_click_ = true;
   double hovered_since_s_ = 0.0;
   bool hovered_now_ = false;
 };

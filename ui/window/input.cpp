@@ -10,8 +10,8 @@ struct NamedKey {
   ImGuiKey imgui;
   Key key;
 };
-constexpr std::array<NamedKey, 22> kNamedKeys{{
-    {ImGuiKey_Tab, Key::kTab},
+// Not Tab: `KeyboardFocus` goes from widget to widget, of every kind.
+constexpr std::array<NamedKey, 21> kNamedKeys{{
     {ImGuiKey_LeftArrow, Key::kLeft},
     {ImGuiKey_RightArrow, Key::kRight},
     {ImGuiKey_UpArrow, Key::kUp},
