@@ -26,6 +26,21 @@ std::string cannot_edit(const State& state) {
   return state.live ? "A transfer is being recorded" : no_demonstration(state);
 }
 
+// Half a sample: nothing lies between.
+constexpr double kSameTime_s = 0.0025;
+
+std::string cannot_trim_in(const State& state) {
+  if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
+  const bool there = state.playhead_s - selected_demonstration(state)->begin_s < kSameTime_s;
+  return there ? "It begins at the playhead already" : "";
+}
+
+std::string cannot_trim_out(const State& state) {
+  if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
+  const bool there = selected_demonstration(state)->end_s - state.playhead_s < kSameTime_s;
+  return there ? "It ends at the playhead already" : "";
+}
+
 std::string cannot_stop(const State& state) {
   return state.live ? "" : "Nothing is being recorded";
 }
@@ -166,7 +181,7 @@ constexpr std::array<RowData, 12> kEditRows{{
      icon::kCut,
      {"I"},
      true,
-     cannot_edit,
+     cannot_trim_in,
      trim_in},
     {"edit.trim_out",
      "Edit",
@@ -175,7 +190,7 @@ constexpr std::array<RowData, 12> kEditRows{{
      icon::kCut,
      {"O"},
      false,
-     cannot_edit,
+     cannot_trim_out,
      trim_out},
     {"edit.trim_idle",
      "Edit",

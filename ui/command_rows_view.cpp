@@ -1,5 +1,6 @@
 #include "ui/command_rows.h"
 #include "ui/icons.h"
+#include "ui/panels/common.h"
 #include "ui/timeline_steps.h"
 
 namespace trocar::ui {
@@ -48,7 +49,13 @@ Requests ghosts(const State& state) {
 
 Requests field_visible(const State& state) {
   FieldSettings settings = state.field;
-  settings.visible = !settings.visible;
+  settings.visible = !shows_field(settings);
+  // Nothing of it was chosen yet: the slice through the goal is what one looks for first.
+  if (settings.visible && !shows_field(settings)) {
+    const bool known = state.insight && state.insight->entry != nullptr;
+    const learning::Model* model = known ? state.insight->entry->model.get() : nullptr;
+    settings.slices[2] = model == nullptr ? spatial::Grid().n / 2 : model->grid.coordinates(model->goal).z;
+  }
   return one(Command{SetField{settings}});
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cctype>
 
 #include "engine/demonstration/edit_words.h"
@@ -78,6 +79,21 @@ std::string field_text(const ExportField& command, const std::string& project) {
                      learning::to_string(command.layer), what, shell_word(command.path.string()));
 }
 
+constexpr std::array<const char*, 4> kCameras{"paper", "top", "side", "front"};
+
+std::string video_text(const ExportVideo& video, const std::string& project) {
+  std::string text = fmt::format("trocar video render {}{} --out {} --fps {:g} --size {}x{} --layout {}", project,
+                                 ids(video.demonstrations), shell_word(video.path.string()), video.fps, video.width,
+                                 video.height, video.demonstrations.size() > 1 ? "side-by-side" : "single");
+  if (video.speed != 1.0) text += fmt::format(" --speed {:g}", video.speed);
+  if (video.camera != scene::CameraPreset::kPaper) {
+    text += fmt::format(" --camera {}", kCameras[static_cast<std::size_t>(video.camera)]);
+  }
+  if (video.codec != media::Codec::kAuto) text += fmt::format(" --codec {}", media::to_string(video.codec));
+  if (!video.captions) text += " --no-captions";
+  return text;
+}
+
 }  // namespace
 
 std::string shell_word(const std::string& word) {
@@ -107,9 +123,7 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
     return fmt::format("trocar demo replay {} {} --verify", project, verify->demonstration.value);
   }
   if (const auto* video = std::get_if<ExportVideo>(&command)) {
-    return fmt::format("trocar video render {}{} --out {} --fps {:g} --size {}x{} --layout {}", project,
-                       ids(video->demonstrations), shell_word(video->path.string()), video->fps, video->width,
-                       video->height, video->demonstrations.size() > 1 ? "side-by-side" : "single");
+    return video_text(*video, project);
   }
   if (const auto* figure = std::get_if<ExportField>(&command)) return field_text(*figure, project);
   return "";

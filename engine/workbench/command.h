@@ -9,6 +9,7 @@
 
 #include "engine/learning/field.h"
 #include "engine/learning/model.h"
+#include "engine/media/video_writer.h"
 #include "engine/plot/colour_map.h"
 #include "engine/scene/scene.h"
 #include "engine/trial/transfer_session.h"
@@ -111,6 +112,10 @@ struct ExportVideo {
   int width = 1280;
   int height = 720;
   double fps = 30.0;
+  double speed = 1.0;  ///< Demonstration seconds for each second of film.
+  scene::CameraPreset camera = scene::CameraPreset::kPaper;
+  media::Codec codec = media::Codec::kAuto;
+  bool captions = true;
 };
 struct ExportField {
   ModelId model;

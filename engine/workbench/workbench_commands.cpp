@@ -202,6 +202,10 @@ void Workbench::Impl::on(const ExportVideo& command) {
   film.width = command.width;
   film.height = command.height;
   film.fps = command.fps;
+  film.speed = command.speed;
+  film.camera = command.camera;
+  film.codec = command.codec;
+  film.captions = command.captions;
   const auto work = [film](Progress& progress) -> Result<JobResult> {
     TROCAR_ASSIGN_OR_RETURN(const FilmReport report, render_film(film, progress));
     return JobResult{fmt::format("{} frames in {:.1f} s", report.frames, report.seconds), {}};

@@ -16,9 +16,18 @@ class VideoForm final : public Form {
   Requests draw_content(Ui& ui, const WorkbenchState& state) override;
 
  private:
+  void draw_look(Ui& ui);
+  void draw_beside(Ui& ui, const WorkbenchState& state);
+  workbench::ExportVideo wanted(const WorkbenchState& state) const;
+
+  std::vector<workbench::DemonstrationId> others_;  ///< That may be beside; the first is none.
   std::string path_;
   int size_ = 0;
   int rate_ = 1;
+  int speed_ = 1;
+  int camera_ = 0;  ///< As `scene::CameraPreset`.
+  int codec_ = 0;   ///< As `media::Codec`.
+  bool captions_ = true;
   int beside_ = 0;  ///< 0: alone; else the n-th other demonstration.
 };
 

@@ -74,6 +74,11 @@ void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requ
   if (icon_button(ui, row.title, options)) append(requests, row.run(state));
 }
 
+bool shows_field(const workbench::FieldSettings& settings) {
+  const bool slice = std::any_of(settings.slices.begin(), settings.slices.end(), [](int index) { return index >= 0; });
+  return settings.visible && (slice || settings.voxels);
+}
+
 void segment_chip(Ui& ui, demonstration::Segment segment, bool present, float size) {
   const FontScope font(ui.fonts().small);
   const std::string letter(1, demonstration::letter(segment));

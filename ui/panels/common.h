@@ -18,6 +18,9 @@ void command_button(Ui& ui, const WorkbenchState& state, std::string_view id, st
                     Requests& requests);
 void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requests& requests);
 
+/// Something of the field is drawn in the 3-D view: it is on, and a slice or the voxels are chosen.
+bool shows_field(const workbench::FieldSettings& settings);
+
 /// A letter on its colour; an outline where the demonstration lacks the segment.
 void segment_chip(Ui& ui, demonstration::Segment segment, bool present, float size);
 void segment_chips(Ui& ui, const demonstration::Demonstration& shown, float size);

@@ -145,7 +145,7 @@ void EditsPanel::draw_entry(Ui& ui, const Demonstration& shown, int place, Reque
     requests.emplace_back(Command{CommitEdit{workbench::EnableStackEntry{shown.id, entry.id, enabled}}});
   }
   const int last = static_cast<int>(shown.stack->size()) - 1;
-  const float tools = 4.0F * (ImGui::GetFrameHeight() + ui.px(2));
+  const float tools = 4.0F * (ImGui::GetFrameHeight() + ui.px(4)) + 3.0F * ui.px(2);
   ImGui::SameLine(std::max(ImGui::GetWindowContentRegionMax().x - tools, ui.px(60)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(2), ui.px(4)});
   const auto tool = [&](std::string_view label, const char* sign, std::string_view help, std::string_view reason) {

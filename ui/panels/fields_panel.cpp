@@ -44,7 +44,8 @@ std::string value_words(const learning::Field& field, double value) {
   return i < field.categories.size() ? field.categories[i] : number(value);
 }
 
-std::string explored_words(std::uint8_t tried) {
+std::string explored_words(std::uint8_t tried, bool goal) {
+  if (goal) return "the goal, where episodes end";
   if (tried == 0x3F) return "all 6 actions tried";
   return tried == 0 ? "no action tried" : fmt::format("{} of 6 actions tried", std::popcount(tried));
 }
@@ -68,6 +69,11 @@ void dot(ImVec2 at, float radius, Rgba colour, Rgba ring) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(at, radius + 1.5F, to_u32(ring), 16);
   list.AddCircleFilled(at, radius, to_u32(colour), 16);
+}
+
+// What stands above and below the picture of a slice: its axes and its slider.
+float below_slice(const Ui& ui) {
+  return ImGui::GetFrameHeightWithSpacing() + ui.fonts().small->FontSize + ImGui::GetStyle().ItemSpacing.y;
 }
 
 }  // namespace
@@ -170,7 +176,15 @@ void FieldsPanel::draw_slice(Ui& ui, const WorkbenchState& state, int axis, ImVe
   const Scope scope(ui, kAxisNames[i]);
   const SliceAxes axes = slice_axes(axis);
   ImGui::BeginGroup();
-  const float side = std::min(size.x, size.y - ImGui::GetFrameHeightWithSpacing());
+  {
+    // Not as an item: beside another slice it would be set on that one's baseline.
+    const FontScope font(ui.fonts().small);
+    const std::string names = fmt::format("{} →  {} ↑", kAxisNames[static_cast<std::size_t>(axes.right)],
+                                          kAxisNames[static_cast<std::size_t>(axes.up)]);
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetCursorScreenPos(), to_u32(ui.theme().text_dim), names.c_str());
+    ImGui::Dummy({size.x, ImGui::GetFontSize()});
+  }
+  const float side = std::min(size.x, size.y - below_slice(ui));
   const bool hovered = canvas(ui, "Slice", {side, side}, std::to_string(index_[i]),
                               {.help = "Click to cut there, wheel to step through the slices"});
   const Rect rect = item_rect();
@@ -182,15 +196,6 @@ void FieldsPanel::draw_slice(Ui& ui, const WorkbenchState& state, int axis, ImVe
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddImage(texture, {rect.x0, rect.y0}, {rect.x1, rect.y1});
   draw_marks(ui, state, axis, rect);
-  {
-    const FontScope font(ui.fonts().small);
-    const std::string names = fmt::format("{} →  {} ↑", kAxisNames[static_cast<std::size_t>(axes.right)],
-                                          kAxisNames[static_cast<std::size_t>(axes.up)]);
-    const ImVec2 words = ImGui::CalcTextSize(names.c_str());
-    list.AddRectFilled({rect.x0, rect.y0}, {rect.x0 + words.x + ui.px(8), rect.y0 + words.y + ui.px(4)},
-                       to_u32(ui.theme().panel, 0.8F));
-    list.AddText({rect.x0 + ui.px(4), rect.y0 + ui.px(2)}, to_u32(ui.theme().text), names.c_str());
-  }
   workbench::FieldSettings settings = state.field;
   const bool in_view = settings.slices[i] >= 0;
   if (toggle(ui, "3-D", in_view, {.icon = icon::kEye, .help = "Show this slice in the 3-D view"})) {
@@ -238,7 +243,7 @@ void FieldsPanel::draw_probe(Ui& ui, const WorkbenchState& state) {
        best == learning::kNoAction ? "none" : spatial::to_string(static_cast<spatial::Action>(best)));
   fact(ui, "Margin", number(first - second));
   fact(ui, learning::Layer::kVisits == field.layer ? field.title : "Visits", visits_words(model, flat));
-  fact(ui, "Explored", explored_words(model.tried[flat]));
+  fact(ui, "Explored", explored_words(model.tried[flat], cell == model.goal));
   ImGui::PopStyleVar();
 }
 
@@ -246,7 +251,7 @@ void FieldsPanel::draw_slices(Ui& ui, const WorkbenchState& state, Requests& req
   hovered_.reset();
   const float gap = ui.px(10);
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float frame = ImGui::GetFrameHeightWithSpacing();
+  const float frame = below_slice(ui);
   const float half = 0.5F * (room.x - gap);
   if (half < ui.px(kLeastSlice)) {
     // One below the other, the panel scrolls.

@@ -111,6 +111,27 @@ bool card(Ui& ui, std::string_view label, bool selected, std::string_view value,
   return clicked;
 }
 
+std::string demonstrations_heading(const WorkbenchState& state) {
+  return "DEMONSTRATIONS  " + std::to_string(state.project->demonstrations.size());
+}
+
+std::string models_heading(const WorkbenchState& state) {
+  return "MODELS  " + std::to_string(state.project->models.size());
+}
+
+// Above a list that has been scrolled, so that it is known of what the rows are.
+void draw_pinned_heading(const Ui& ui, const std::string& words) {
+  if (ImGui::GetScrollY() <= 0.0F) return;
+  const FontScope font(ui.fonts().small);
+  const ImVec2 at = ImGui::GetWindowPos();
+  const float height = ImGui::GetFontSize() + ui.px(6);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + ImGui::GetWindowContentRegionMax().x, at.y + height}, to_u32(ui.theme().panel));
+  list.AddRectFilled({at.x, at.y + height}, {at.x + ImGui::GetWindowContentRegionMax().x, at.y + height + 1.0F},
+                     to_u32(ui.theme().line));
+  list.AddText({at.x, at.y}, to_u32(ui.theme().text_dim), words.c_str());
+}
+
 }  // namespace
 
 void LibraryPanel::remember(const WorkbenchState& state) {
@@ -151,15 +172,19 @@ Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (tall) ImGui::BeginChild("list");
   draw_demonstrations(ui, state, wide, requests);
   ImGui::Dummy({0.0F, ui.px(8)});
+  const float models_y = ImGui::GetCursorPosY();
   draw_models(ui, state, wide, requests);
-  if (tall) ImGui::EndChild();
+  if (tall) {
+    draw_pinned_heading(ui, ImGui::GetScrollY() < models_y ? demonstrations_heading(state) : models_heading(state));
+    ImGui::EndChild();
+  }
   return requests;
 }
 
 void LibraryPanel::draw_demonstrations(Ui& ui, const WorkbenchState& state, bool wide, Requests& requests) {
   const auto& list = state.project->demonstrations;
   const Scope scope(ui, "Demonstrations");
-  small_text(ui, "DEMONSTRATIONS  " + std::to_string(list.size()), ui.theme().text_dim);
+  small_text(ui, demonstrations_heading(state), ui.theme().text_dim);
   if (list.empty()) {
     const std::array<EmptyStateAction, 1> actions{
         {{"Record a transfer…", icon::kRecord, state.live ? "A transfer is being recorded" : "",
@@ -235,7 +260,7 @@ void draw_model_cells(Ui& ui, const ModelEntry& entry, bool stale, const std::st
 void LibraryPanel::draw_models(Ui& ui, const WorkbenchState& state, bool wide, Requests& requests) {
   const auto& list = state.project->models;
   const Scope scope(ui, "Models");
-  small_text(ui, "MODELS  " + std::to_string(list.size()), ui.theme().text_dim);
+  small_text(ui, models_heading(state), ui.theme().text_dim);
   if (list.empty()) {
     const std::string reason = command("model.train").reason_now(state);
     const std::array<EmptyStateAction, 1> actions{

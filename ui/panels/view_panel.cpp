@@ -116,7 +116,7 @@ void draw_layer_buttons(Ui& ui, const WorkbenchState& state, const Rect& rect, R
   ground(ui, at, {at.x + width, at.y + ImGui::GetFrameHeight() + ui.px(6)});
   ImGui::SetCursorScreenPos({at.x + ui.px(3), at.y + ui.px(3)});
   const CommandRow& field = command("view.field");
-  if (toggle(ui, "Field", state.field.visible, {.help = field.help, .shortcut = field.keys.front()})) {
+  if (toggle(ui, "Field", shows_field(state.field), {.help = field.help, .shortcut = field.keys.front()})) {
     append(requests, field.run(state));
   }
   ImGui::SameLine(0.0F, ui.px(2));

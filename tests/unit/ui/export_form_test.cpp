@@ -1,0 +1,84 @@
+#include <doctest/doctest.h>
+
+#include "tests/support/ui_desk.h"
+#include "ui/command_text.h"
+
+namespace trocar::ui {
+
+TEST_CASE("the film proposed has the demonstration's name, beside the project") {
+  Desk desk(testing::made_state());
+  CHECK(desk.driver().key("Ctrl+E"));
+  CHECK(text_of(desk.driver().expect_value("Export video/File", "/data/Expert 1.mp4")) == "");
+}
+
+TEST_CASE("speed, camera, codec and captions of a film are asked for, and written as a command line") {
+  Desk desk(testing::made_state());
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+E"));
+  CHECK(text_of(driver.click("Export video/Speed/4×")) == "");
+  CHECK(text_of(driver.click("Export video/Camera/Side")) == "");
+  CHECK(text_of(driver.click("Export video/Codec/FFV1")) == "");
+  CHECK(text_of(driver.expect_value("Export video/File", "/data/Expert 1.mkv")) == "");
+  CHECK(text_of(driver.click("Export video/Segments, jaws and pedals")) == "");
+  CHECK(text_of(driver.click("Export video/Export")) == "");
+  const auto* video = desk.last<workbench::ExportVideo>();
+  REQUIRE(video != nullptr);
+  CHECK(video->speed == 4.0);
+  CHECK(video->camera == scene::CameraPreset::kSide);
+  CHECK(video->codec == media::Codec::kFfv1);
+  CHECK_FALSE(video->captions);
+  const std::string words = command_text(*video, desk.state);
+  CHECK(words.find("--speed 4 --camera side --codec ffv1 --no-captions") != std::string::npos);
+}
+
+TEST_CASE("the field's button is lit only while something is drawn, and draws the slice through the goal") {
+  Desk desk(testing::made_state_with_model());
+  Driver driver = desk.driver();
+  CHECK(text_of(driver.expect_value("View/Field", "off")) == "");
+  CHECK(text_of(driver.click("View/Field")) == "");
+  REQUIRE(desk.last<workbench::SetField>() != nullptr);
+  const workbench::FieldSettings& chosen = desk.last<workbench::SetField>()->settings;
+  CHECK(chosen.visible);
+  CHECK(chosen.slices[2] == 10);
+  desk.state.field = chosen;
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.expect_value("View/Field", "on")) == "");
+}
+
+TEST_CASE("the inspector says of an exact model only what it has") {
+  Desk desk(testing::made_state_with_model());
+  CHECK(desk.session->items().find("Inspector/Model/Method") != nullptr);
+  for (const char* name : {"Exploration ε", "Episodes", "Seed", "Fully explored"}) {
+    CAPTURE(name);
+    CHECK(desk.session->items().find("Inspector/Model/" + std::string(name)) == nullptr);
+  }
+}
+
+TEST_CASE("a tooltip goes with the click, and stays away until the pointer has been elsewhere") {
+  Desk desk(testing::made_state());
+  Driver driver = desk.driver();
+  const auto tooltip = [&] { return desk.session->ui().tooltip() == "Toolbar/Undo"; };
+  CHECK(driver.hover("Toolbar/Undo"));
+  CHECK(driver.frames(40));
+  CHECK(tooltip());
+  CHECK(driver.click("Toolbar/Undo"));
+  CHECK(driver.frames(40));
+  CHECK_FALSE(tooltip());
+  CHECK(driver.hover("View/Picture"));
+  CHECK(driver.frames(4));
+  CHECK(driver.hover("Toolbar/Undo"));
+  CHECK(driver.frames(40));
+  CHECK(tooltip());
+}
+
+TEST_CASE("a trim that would change nothing cannot be made") {
+  workbench::WorkbenchState state = testing::made_state();
+  state.playhead_s = state.project->demonstrations.at({1})->begin_s;
+  Desk desk(state);
+  CHECK(desk.driver().key("I"));
+  CHECK(desk.last<workbench::CommitEdit>() == nullptr);
+  CHECK(desk.driver().key("O"));
+  CHECK(desk.last<workbench::CommitEdit>() != nullptr);
+}
+
+}  // namespace trocar::ui
