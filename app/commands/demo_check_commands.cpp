@@ -68,6 +68,8 @@ Result<Answer> run_diff(const DiffArguments& arguments, Console& console) {
     TROCAR_ASSIGN_OR_RETURN(before, find_demonstration(*file.project(), arguments.against));
   }
   const demonstration::Difference difference = demonstration::difference(*before, *after);
+  std::vector<std::string> labels = demonstration::label_differences(*before, *after);
+  if (before->name != after->name) labels.push_back(fmt::format("named {}, not {}", after->name, before->name));
   Answer answer;
   answer.json = {{"id", after->id.value},
                  {"against", arguments.against},
@@ -76,11 +78,14 @@ Result<Answer> run_diff(const DiffArguments& arguments, Console& console) {
                  {"added", difference.added},
                  {"moved", difference.moved},
                  {"max_deviation_mm", 1e3 * difference.max_deviation_m},
-                 {"rms_deviation_mm", 1e3 * difference.rms_deviation_m}};
+                 {"rms_deviation_mm", 1e3 * difference.rms_deviation_m},
+                 {"labels", labels}};
   answer.summary =
       fmt::format("{:+.2f} s, {} samples removed, {} added, {} moved (at most {:.2f} mm)", difference.duration_change_s,
                   difference.removed, difference.added, difference.moved, 1e3 * difference.max_deviation_m);
   answer.text = fmt::format("{} against {}: {}", after->name, arguments.against, answer.summary);
+  for (const std::string& clause : labels) answer.text += "\n  " + clause;
+  if (!labels.empty()) answer.summary += fmt::format(", {}", counted(labels.size(), "other change"));
   return answer;
 }
 

@@ -1,5 +1,7 @@
 #include "engine/demonstration/diff.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -96,7 +98,55 @@ void match_times(const Demonstration& before, const Demonstration& after, Differ
   deviation.write(difference);
 }
 
+/// "8.10–12.40 and 13.00–14.00 s"; empty if there is none.
+std::string spans_of(const Demonstration& document, Segment label) {
+  std::string text;
+  for (const SegmentSpan& span : document.segments) {
+    if (span.label != label) continue;
+    text += fmt::format("{}{:.2f}–{:.2f}", text.empty() ? "" : " and ", span.begin_s, span.end_s);
+  }
+  return text.empty() ? text : text + " s";
+}
+
+std::string change(const std::string& what, const std::string& before, const std::string& after) {
+  if (before.empty()) return fmt::format("{} is new: {}", what, after);
+  if (after.empty()) return fmt::format("{} is gone, was {}", what, before);
+  return fmt::format("{} was {}, is {}", what, before, after);
+}
+
+bool has_note(const Demonstration& document, const Note& note) {
+  return std::any_of(document.notes.begin(), document.notes.end(), [&](const Note& each) {
+    return each.begin_s == note.begin_s && each.end_s == note.end_s && each.text == note.text && each.tag == note.tag &&
+           each.rating == note.rating;
+  });
+}
+
+/// Those of `from` that `other` lacks.
+void add_notes(const Demonstration& from, const Demonstration& other, std::string_view fate,
+               std::vector<std::string>& clauses) {
+  for (const Note& note : from.notes) {
+    if (has_note(other, note)) continue;
+    clauses.push_back(fmt::format("the note \"{}\" at {:.2f} s {}", note.text, note.begin_s, fate));
+  }
+}
+
 }  // namespace
+
+std::vector<std::string> label_differences(const Demonstration& before, const Demonstration& after) {
+  std::vector<std::string> clauses;
+  for (int i = 0; i < kSegmentCount; ++i) {
+    const auto label = static_cast<Segment>(i);
+    const std::string was = spans_of(before, label);
+    const std::string is = spans_of(after, label);
+    if (was != is) clauses.push_back(change(fmt::format("segment {}", letter(label)), was, is));
+  }
+  add_notes(before, after, "is gone", clauses);
+  add_notes(after, before, "is new", clauses);
+  const auto number = [](int value) { return fmt::format("{}", value); };
+  if (before.block != after.block) clauses.push_back(change("the block", number(before.block), number(after.block)));
+  if (before.goal != after.goal) clauses.push_back(change("the goal", number(before.goal), number(after.goal)));
+  return clauses;
+}
 
 Difference difference(const Demonstration& before, const Demonstration& after) {
   Difference result;

@@ -1,6 +1,9 @@
 /// What changed between two versions of a demonstration, in numbers.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "engine/demonstration/demonstration.h"
 
 namespace trocar::demonstration {
@@ -18,5 +21,9 @@ struct Difference {
 /// Versions of one recording are matched sample by sample; different recordings by the time since their begin gates,
 /// `before` interpolated, so that what one is longer by counts as removed or added.
 Difference difference(const Demonstration& before, const Demonstration& after);
+
+/// What else differs, a clause each: "segment C was 8.10–12.40 s, is 10.00–12.00 s". Spans of each segment, gates or
+/// not; notes; block and goal.
+std::vector<std::string> label_differences(const Demonstration& before, const Demonstration& after);
 
 }  // namespace trocar::demonstration

@@ -136,22 +136,36 @@ void check_motion(const Demonstration& document, const MotionBounds& bounds, Pro
   }
 }
 
+/// A transfer goes from A to E once.
+void check_order(const Demonstration& document, Problems& found) {
+  std::array<bool, kSegmentCount> seen{};
+  std::optional<Segment> before;
+  for (const SegmentSpan& span : document.segments) {
+    if (span.end_s <= document.begin_s || span.begin_s >= document.end_s) continue;
+    const auto report = [&](Severity severity, std::string message) {
+      found.push_back({ProblemKind::kSegments, severity, span.begin_s, span.end_s, std::move(message), ""});
+    };
+    if (before && span.label < *before) {
+      report(Severity::kError, fmt::format("segment {} comes before segment {}", letter(*before), letter(span.label)));
+    }
+    bool& again = seen[static_cast<std::size_t>(span.label)];
+    if (again) {
+      report(Severity::kWarning,
+             fmt::format("segment {} comes again; only its first stretch counts", letter(span.label)));
+    }
+    again = true;
+    before = span.label;
+  }
+}
+
 void check_segments(const Demonstration& document, Problems& found) {
-  std::optional<SegmentSpan> before;
   for (int i = 0; i < kSegmentCount; ++i) {
     const auto label = static_cast<Segment>(i);
-    const std::optional<SegmentSpan> span = document.segment(label);
-    if (!span) {
-      found.push_back({ProblemKind::kSegments, Severity::kWarning, document.begin_s, document.end_s,
-                       fmt::format("segment {} is missing", letter(label)), ""});
-      continue;
-    }
-    if (before && span->begin_s < before->begin_s) {
-      found.push_back({ProblemKind::kSegments, Severity::kError, span->begin_s, span->end_s,
-                       fmt::format("segment {} comes before segment {}", letter(label), letter(before->label)), ""});
-    }
-    before = span;
+    if (document.segment(label)) continue;
+    found.push_back({ProblemKind::kSegments, Severity::kWarning, document.begin_s, document.end_s,
+                     fmt::format("segment {} is missing", letter(label)), ""});
   }
+  check_order(document, found);
   double covered_s = document.begin_s;
   const auto report_until = [&](double t_s) {
     if (t_s - covered_s < kUnlabelled_s) return;

@@ -134,6 +134,40 @@ TEST_CASE("missing segments are warnings and segments out of order an error") {
   CHECK(has(Severity::kError, "segment B comes before segment A"));
 }
 
+TEST_CASE("a segment that comes again is a warning, and an error where another lies between") {
+  Demonstration document = moving_demonstration(1000);
+  const auto messages = [&] {
+    std::vector<std::string> all;
+    for (const Problem& each : of_kind(document, ProblemKind::kSegments)) all.push_back(each.message);
+    return all;
+  };
+  REQUIRE(document.segments.size() == 5);
+  CHECK(messages().empty());
+  document.segments[1].label = Segment::kA;  // A A C D E
+  CHECK(messages() ==
+        std::vector<std::string>{"segment B is missing", "segment A comes again; only its first stretch counts"});
+  document.segments[1].label = Segment::kB;
+  document.segments[4].label = Segment::kC;  // A B C D C
+  CHECK(messages() == std::vector<std::string>{"segment E is missing", "segment D comes before segment C",
+                                               "segment C comes again; only its first stretch counts"});
+}
+
+TEST_CASE("a difference names the labels and notes that changed") {
+  const Demonstration before = moving_demonstration(1000);
+  CHECK(label_differences(before, before).empty());
+  Demonstration after = before;
+  after.segments[0] = {Segment::kA, 0.25, 0.5};
+  after.segments.pop_back();
+  after.notes.push_back({1, 0.75, 0.75, "slips", "", 0});
+  after.goal = before.goal + 1;
+  const std::vector<std::string> clauses = label_differences(before, after);
+  REQUIRE(clauses.size() == 4);
+  CHECK(clauses[0].ends_with(", is 0.25–0.50 s"));
+  CHECK(clauses[1].starts_with("segment E is gone, was "));
+  CHECK(clauses[2] == "the note \"slips\" at 0.75 s is new");
+  CHECK(clauses[3] == "the goal was " + std::to_string(before.goal) + ", is " + std::to_string(after.goal));
+}
+
 TEST_CASE("an idle end comes with the trim that removes it, and the trim removes it") {
   Demonstration document = changed(1000, [](std::vector<Sample>& samples) { hold_still(samples, 800, 1000); });
   const auto found = of_kind(document, ProblemKind::kIdle);
