@@ -3,6 +3,7 @@
 #include "app/lookup.h"
 #include "app/options.h"
 #include "engine/core/file.h"
+#include "ui/driver/script.h"
 #include "ui/headless.h"
 
 namespace trocar::app {
@@ -22,6 +23,8 @@ struct UiArguments {
 void bind_common(CLI::App& verb, UiArguments& arguments) {
   verb.add_option("--project", arguments.project, "The project to open");
   verb.add_option("--script", arguments.script, "F.ui: acts by label, one a line");
+  verb.footer("A script has one act a line; LABEL is one that `trocar ui dump` lists, in quotes:\n" +
+              ui::script_verbs() + "demos/tour/tour.ui is one.");
   verb.add_option("--size", arguments.size, "Width and height in pixels")->capture_default_str();
   verb.add_option("--scale", arguments.scale, "Size of text and controls")
       ->check(CLI::Range(0.75, 3.0))

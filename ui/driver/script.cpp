@@ -13,23 +13,31 @@ struct Verb {
   std::size_t least;  ///< Words, the verb included.
   std::size_t most;
   std::size_t first_number;  ///< Words from here on must be numbers; 0: none.
+  std::string_view usage;
 };
-constexpr std::array<Verb, 13> kVerbs{{{"click", 2, 2, 0},
-                                       {"right_click", 2, 2, 0},
-                                       {"double_click", 2, 2, 0},
-                                       {"hover", 2, 2, 0},
-                                       {"drag", 4, 5, 2},
-                                       {"wheel", 3, 3, 2},
-                                       {"type", 3, 3, 0},
-                                       {"key", 2, 2, 0},
-                                       {"expect", 3, 4, 0},
-                                       {"wait", 2, 4, 0},
-                                       {"screenshot", 2, 2, 0},
-                                       {"frames", 2, 2, 1},
-                                       {"dump", 2, 2, 0}}};
+constexpr std::array<Verb, 13> kVerbs{
+    {{"click", 2, 2, 0, "click LABEL"},
+     {"right_click", 2, 2, 0, "right_click LABEL"},
+     {"double_click", 2, 2, 0, "double_click LABEL"},
+     {"hover", 2, 2, 0, "hover LABEL"},
+     {"drag", 4, 5, 2, "drag LABEL DX DY [BUTTON]"},
+     {"wheel", 3, 3, 2, "wheel LABEL STEPS"},
+     {"type", 3, 3, 0, "type LABEL TEXT"},
+     {"key", 2, 2, 0, "key CHORD"},
+     {"expect", 3, 4, 0, "expect LABEL value TEXT | contains TEXT | enabled | disabled | present | absent"},
+     {"wait", 2, 4, 0, "wait idle [SECONDS] | for LABEL [SECONDS]"},
+     {"screenshot", 2, 2, 0, "screenshot F.png"},
+     {"frames", 2, 2, 1, "frames COUNT"},
+     {"dump", 2, 2, 0, "dump F.json"}}};
 
 tl::unexpected<Error> at_line(int number, const std::string& why) {
   return fail(ErrorCode::kInvalidArgument, "line " + std::to_string(number) + ": " + why);
+}
+
+std::string verb_names() {
+  std::string names;
+  for (const Verb& verb : kVerbs) names += (names.empty() ? "" : ", ") + std::string(verb.name);
+  return names;
 }
 
 bool is_number(std::string_view word) {
@@ -78,12 +86,16 @@ bool known_wait(const std::vector<std::string>& words) {
 
 Status check(const ScriptLine& line) {
   const auto* verb = std::find_if(kVerbs.begin(), kVerbs.end(), [&](const Verb& v) { return v.name == line.words[0]; });
-  if (verb == kVerbs.end()) return at_line(line.number, "\"" + line.words[0] + "\" is no verb");
+  if (verb == kVerbs.end()) {
+    return at_line(line.number, "\"" + line.words[0] + "\" is no verb; there are " + verb_names());
+  }
   if (line.words.size() < verb->least || line.words.size() > verb->most) {
-    return at_line(line.number, "\"" + line.words[0] + "\" has too few or too many words");
+    return at_line(line.number,
+                   "\"" + line.words[0] + "\" has too few or too many words; write " + std::string(verb->usage));
   }
   for (std::size_t i = verb->first_number; i > 0 && i < line.words.size(); ++i) {
-    if (!is_number(line.words[i])) return at_line(line.number, "\"" + line.words[i] + "\" is no number");
+    if (!is_number(line.words[i]))
+      return at_line(line.number, "\"" + line.words[i] + "\" is no number; write " + std::string(verb->usage));
   }
   if (verb->name == "expect" && !known_expectation(line.words)) {
     return at_line(line.number, "expect value W, contains W, enabled, disabled, present or absent");
@@ -95,6 +107,12 @@ Status check(const ScriptLine& line) {
 }
 
 }  // namespace
+
+std::string script_verbs() {
+  std::string text;
+  for (const Verb& verb : kVerbs) text += "  " + std::string(verb.usage) + "\n";
+  return text;
+}
 
 Result<std::vector<ScriptLine>> parse_script(std::string_view text) {
   std::vector<ScriptLine> lines;

@@ -30,4 +30,7 @@ struct ScriptLine {
 /// Errors: kInvalidArgument naming the line: an unknown verb, too few or too many words, a number that is none.
 Result<std::vector<ScriptLine>> parse_script(std::string_view text);
 
+/// How each verb is written, one a line, indented by two blanks.
+std::string script_verbs();
+
 }  // namespace trocar::ui
