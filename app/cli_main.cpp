@@ -1,6 +1,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <vector>
@@ -25,8 +26,9 @@ int run(const std::vector<std::string>& arguments) {
   console.quiet = options.quiet;
   console.verbose = options.verbose;
   if (!action) {
-    console.print_error(action.error());
-    return exit_code(action.error().code());
+    // The parser may have given up before it came to the flag.
+    console.json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
+    return console.give_up(action.error());
   }
   log_to_standard_error(options.verbose);
   cancel_on_signals(console);
@@ -36,8 +38,7 @@ int run(const std::vector<std::string>& arguments) {
   }();
   if (!answer) {
     console.print_warnings();
-    console.print_error(answer.error());
-    return exit_code(answer.error().code());
+    return console.give_up(answer.error());
   }
   if (const Status printed = console.print(*answer); !printed) {
     console.print_error(printed.error());

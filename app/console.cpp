@@ -79,6 +79,17 @@ void Console::print_error(const Error& error) const {
   fmt::print(stderr, "trocar: {}\n", error.text());
 }
 
+ExitCode Console::give_up(const Error& error) const {
+  const ExitCode code = exit_code(error.code());
+  if (json) {
+    const Json object = {{"error", error.text()}, {"exit", static_cast<int>(code)}};
+    fmt::print("{}\n", object.dump(2, ' ', false, Json::error_handler_t::replace));
+    std::fflush(stdout);
+  }
+  print_error(error);
+  return code;
+}
+
 void Console::print_warnings() {
   for (; printed_warnings_ < diagnostics.warnings().size(); ++printed_warnings_) {
     fmt::print(stderr, "warning: {}\n", diagnostics.warnings()[printed_warnings_]);
@@ -95,6 +106,17 @@ void cancel_on_signals(Console& console) {
   signal(SIGPIPE, SIG_IGN);  // NOLINT(bugprone-signal-handler): ignored, not handled
 }
 
+std::string shown(const Json& value) {
+  if (value.is_null()) return "–";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (!value.is_structured()) return value.dump();
+  std::string text;
+  for (const Json& part : value) text += (text.empty() ? "" : ", ") + shown(part);
+  return text.empty() ? "–" : text;
+}
+
 struct ProgressBar::Impl {
   std::mutex mutex;
   std::condition_variable_any wake;
@@ -102,16 +124,23 @@ struct ProgressBar::Impl {
 };
 
 ProgressBar::ProgressBar(Console& console) {
-  if (console.quiet || isatty(STDERR_FILENO) == 0) return;
+  if (console.quiet) return;
   impl_ = std::make_unique<Impl>();
   impl_->thread = std::jthread([impl = impl_.get(), &console](const std::stop_token& stop) {
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    constexpr double kBetweenLines_s = 10.0;
     const double begin_s = console.clock->now_s();
+    double next_line_s = kBetweenLines_s;
     bool drawn = false;
     std::unique_lock lock(impl->mutex);
     while (!impl->wake.wait_for(lock, stop, std::chrono::milliseconds(150), [] { return false; })) {
       if (stop.stop_requested()) break;
       const double elapsed_s = console.clock->now_s() - begin_s;
-      if (elapsed_s < 0.4) continue;
+      if (!terminal && elapsed_s >= next_line_s) {
+        next_line_s += kBetweenLines_s;
+        fmt::print(stderr, "{:.0f} % after {:.0f} s\n", 100.0 * console.progress().fraction(), elapsed_s);
+      }
+      if (!terminal || elapsed_s < 0.4) continue;
       draw_bar(console.progress().fraction(), elapsed_s);
       drawn = true;
     }

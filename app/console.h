@@ -48,6 +48,8 @@ class Console {
   /// Errors: kIo if not all that was ever printed has arrived (full disk, closed pipe).
   Status print(const Answer& answer);
   void print_error(const Error& error) const;
+  /// The error on standard error and, with `--json`, as an object on standard output too: `error`, `exit`.
+  ExitCode give_up(const Error& error) const;
   void print_warnings();
 
  private:
@@ -58,7 +60,11 @@ class Console {
 /// Ctrl-C and SIGTERM cancel the console's progress, a second one ends the process. Once in a process.
 void cancel_on_signals(Console& console);
 
-/// While it lives, draws a bar on standard error for what takes longer than a moment; only on a terminal.
+/// One value as a person reads it: numbers to six digits, the parts of an array or an object in a row, "–" for none.
+std::string shown(const Json& value);
+
+/// While it lives, tells on standard error how far it is: on a terminal a bar for what takes longer than a moment, else
+/// a line now and then for what takes long.
 class ProgressBar {
  public:
   explicit ProgressBar(Console& console);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <utility>
 
+#include "app/suggestion.h"
 #include "engine/store/project_store.h"
 
 namespace trocar::app {
@@ -24,15 +25,37 @@ Result<typename Map::mapped_type> find(const Map& map, const std::string& text, 
   if (const auto number = whole_number(text)) {
     if (const auto found = map.find({*number}); found != map.end()) return found->second;
   }
-  typename Map::mapped_type match;
+  std::vector<typename Map::mapped_type> matches;
+  std::vector<std::int64_t> ids;
+  std::vector<Known> known;
   for (const auto& [id, item] : map) {
+    known.push_back({item->name, fmt::format("\"{}\" (id {})", item->name, id.value)});
     if (item->name != text) continue;
-    if (match)
-      return fail(ErrorCode::kInvalidArgument, fmt::format("more than one {} is named {}; give its id", noun, text));
-    match = item;
+    matches.push_back(item);
+    ids.push_back(id.value);
   }
-  if (!match) return fail(ErrorCode::kNotFound, fmt::format("no {} has the id or name {}", noun, text));
-  return match;
+  if (matches.size() == 1) return matches.front();
+  if (matches.empty()) {
+    return fail(ErrorCode::kNotFound,
+                fmt::format("no {} has the id or name {}{}", noun, text, suggestion(text, known)));
+  }
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("more than one {} is named {}; give the id: {}", noun, text, fmt::join(ids, ", ")));
+}
+
+template <typename Map>
+bool is_taken(const Map& map, std::string_view name) {
+  return std::any_of(map.begin(), map.end(), [name](const auto& item) { return item.second->name == name; });
+}
+
+/// `wanted`, or with the first number from 2 that makes it unique, which is then said.
+template <typename Map>
+std::string free_name(const Map& map, const std::string& wanted, std::string_view noun, Console& console) {
+  if (!is_taken(map, wanted)) return wanted;
+  std::string name;
+  for (int number = 2; name.empty() || is_taken(map, name); ++number) name = fmt::format("{} {}", wanted, number);
+  console.diagnostics.warn(fmt::format("a {} is named {} already; this one is named {}", noun, wanted, name));
+  return name;
 }
 
 }  // namespace
@@ -71,6 +94,32 @@ Result<std::shared_ptr<const demonstration::Demonstration>> find_demonstration(c
 Result<std::shared_ptr<const workbench::ModelEntry>> find_model(const workbench::Project& project,
                                                                 const std::string& text) {
   return find(project.models, text, "model");
+}
+
+std::string free_demonstration_name(const workbench::Project& project, const std::string& wanted, Console& console) {
+  return free_name(project.demonstrations, wanted, "demonstration", console);
+}
+
+std::string free_model_name(const workbench::Project& project, const std::string& wanted, Console& console) {
+  return free_name(project.models, wanted, "model", console);
+}
+
+void warn_if_stale(const workbench::Project& project, const workbench::ModelEntry& model, Console& console) {
+  if (!project.stale(model)) return;
+  console.diagnostics.warn(fmt::format(
+      "the model {} is stale: a demonstration that it was trained on has been edited or removed since", model.name));
+}
+
+void warn_if_unlike(const workbench::ModelEntry& a, const workbench::ModelEntry& b, Console& console) {
+  if (a.segment != b.segment) {
+    console.diagnostics.warn(
+        fmt::format("{} serves segment {} and {} segment {}: they do different tasks, so that "
+                    "their numbers say little about each other",
+                    a.name, demonstration::letter(a.segment), b.name, demonstration::letter(b.segment)));
+  } else if (a.model->goal != b.model->goal) {
+    console.diagnostics.warn(fmt::format(
+        "{} and {} have different goals, so that their numbers say little about each other", a.name, b.name));
+  }
 }
 
 CLI::Option* add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& help) {

@@ -33,11 +33,21 @@ Status check_output(const std::filesystem::path& out, const std::filesystem::pat
                     std::initializer_list<std::string_view> endings = {});
 
 /// `text` is an id, or a name that only one demonstration has.
-/// Errors: kNotFound; kInvalidArgument if the name is not unique.
+/// Errors: kNotFound, with what may have been meant or what there is; kInvalidArgument, with the ids, if the name is
+/// not unique.
 Result<std::shared_ptr<const demonstration::Demonstration>> find_demonstration(const workbench::Project& project,
                                                                                const std::string& text);
 Result<std::shared_ptr<const workbench::ModelEntry>> find_model(const workbench::Project& project,
                                                                 const std::string& text);
+
+/// `wanted`, or numbered where it is taken, with a warning that says so: names that repeat cannot be asked for.
+std::string free_demonstration_name(const workbench::Project& project, const std::string& wanted, Console& console);
+std::string free_model_name(const workbench::Project& project, const std::string& wanted, Console& console);
+
+/// Warns that what is shown of `model` is of demonstrations as they no longer are.
+void warn_if_stale(const workbench::Project& project, const workbench::ModelEntry& model, Console& console);
+/// Warns of a comparison of two models with different tasks. Precondition: both are open whole.
+void warn_if_unlike(const workbench::ModelEntry& a, const workbench::ModelEntry& b, Console& console);
 
 /// An option for a seed, 0 … 2⁶⁴ − 1 in decimal digits; anything else is refused, never wrapped or cut off.
 CLI::Option* add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& help);

@@ -1,10 +1,11 @@
 #include "app/options.h"
 
-#include <algorithm>
+#include "app/usage.h"
 
 namespace trocar::app {
 
 Options::Options() : root_("Teach a surgical robot by demonstration: record, edit, learn, look, film.", "trocar") {
+  root_.formatter(std::make_shared<UsageFormatter>());
   root_.fallthrough();
   root_.require_subcommand(1);
   root_.set_help_flag("-h,--help", "Print this help and exit");
@@ -27,23 +28,27 @@ Options::Options() : root_("Teach a surgical robot by demonstration: record, edi
 
 Result<Action> Options::parse(const std::vector<std::string>& arguments) {
   chosen_ = nullptr;
-  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  std::vector<std::string> words = arguments;
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
   try {
-    root_.parse(std::move(reversed));
+    root_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForVersion&) {
     return Action([text = root_.version()](Console&) -> Result<Answer> {
       return Answer{{{"version", text}}, text, {}};
     });
   } catch (const CLI::Success&) {
-    return Action([text = root_.help()](Console&) -> Result<Answer> { return Answer{{{"help", text}}, text, {}}; });
+    if (const std::string unknown = unknown_command(root_); !unknown.empty()) {
+      return fail(ErrorCode::kInvalidArgument,
+                  complaint(root_, CLI::ExtrasError(std::vector<std::string>{unknown}), words));
+    }
+    return Action([text = help_text(root_)](Console&) -> Result<Answer> { return Answer{{{"help", text}}, text, {}}; });
   } catch (const CLI::ParseError& error) {
-    const std::vector<std::string> unknown = root_.remaining(true);
-    std::string sentence = unknown.empty() ? error.what() : unknown.front() + " is no command or option here";
-    std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-    while (!sentence.empty() && (sentence.back() == '.' || sentence.back() == ' ')) sentence.pop_back();
-    return fail(ErrorCode::kInvalidArgument, sentence + " (see --help)");
+    return fail(ErrorCode::kInvalidArgument, complaint(root_, error, words));
   }
-  if (!chosen_) return fail(ErrorCode::kInvalidArgument, "no command given (see --help)");
+  if (!chosen_) return fail(ErrorCode::kInvalidArgument, "no command given (see trocar --help)");
   return chosen_;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/demonstration/motion.h"
 
 namespace trocar::app {
@@ -17,6 +19,17 @@ Json provenance_json(const demonstration::Provenance& provenance) {
           {"scene_hash", provenance.scene_hash},
           {"software", provenance.software},
           {"created", provenance.created}};
+}
+
+/// What is left of each span between the gates.
+std::vector<demonstration::SegmentSpan> gated_segments(const demonstration::Demonstration& document) {
+  std::vector<demonstration::SegmentSpan> spans;
+  for (demonstration::SegmentSpan span : document.segments) {
+    span.begin_s = std::max(span.begin_s, document.begin_s);
+    span.end_s = std::min(span.end_s, document.end_s);
+    if (span.begin_s < span.end_s) spans.push_back(span);
+  }
+  return spans;
 }
 
 struct ListArguments {
@@ -60,13 +73,12 @@ Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
   answer.summary = fmt::format("{}: {:.2f} s, {} samples", demonstration->name, demonstration->duration_s(),
                                demonstration->gated().size());
   for (const auto& [key, value] : answer.json.items()) {
-    if (value.is_structured()) continue;
-    answer.text += fmt::format("{:<16} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+    if (!value.is_structured()) answer.text += fmt::format("{:<16} {}\n", key, shown(value));
   }
   for (const auto& [key, value] : answer.json["provenance"].items()) {
-    answer.text += fmt::format("{:<16} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+    answer.text += fmt::format("{:<16} {}\n", key, shown(value));
   }
-  for (const demonstration::SegmentSpan& span : demonstration->segments) {
+  for (const demonstration::SegmentSpan& span : gated_segments(*demonstration)) {
     answer.text += fmt::format("segment {}        {:.2f} … {:.2f} s\n", demonstration::letter(span.label), span.begin_s,
                                span.end_s);
   }
@@ -81,7 +93,7 @@ Json demonstration_json(const demonstration::Demonstration& document) {
   const std::size_t samples = document.gated().size();
   const double duration_s = document.duration_s();
   Json segments = Json::array();
-  for (const demonstration::SegmentSpan& span : document.segments) {
+  for (const demonstration::SegmentSpan& span : gated_segments(document)) {
     segments.push_back({{"label", std::string(1, demonstration::letter(span.label))},
                         {"begin_s", span.begin_s},
                         {"end_s", span.end_s}});

@@ -33,6 +33,19 @@ Answer unchanged(const demonstration::Demonstration& document) {
   return answer;
 }
 
+/// A name that two have cannot be asked for.
+Status check_rename(const workbench::Project& project, demonstration::DemonstrationId id,
+                    const demonstration::Edit& edit) {
+  const auto* rename = std::get_if<demonstration::Rename>(&edit);
+  if (rename == nullptr) return {};
+  for (const auto& [other, document] : project.demonstrations) {
+    if (other == id || document->name != rename->name) continue;
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("demonstration {} is named {} already", other.value, rename->name));
+  }
+  return {};
+}
+
 /// Nothing if there is nothing to change.
 using EditMaker = std::function<Result<std::optional<demonstration::Edit>>(const demonstration::Demonstration&)>;
 
@@ -41,6 +54,7 @@ Result<Answer> commit(const Target& target, Console& console, const EditMaker& e
   TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), target.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const std::optional<demonstration::Edit> edit, edit_of(*before));
   if (!edit) return unchanged(*before);
+  TROCAR_RETURN_IF_ERROR(check_rename(*file.project(), before->id, *edit));
   const workbench::Edit whole = workbench::EditDemonstration{before->id, *edit};
   const std::string description = workbench::describe(whole, *file.project());
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(whole));

@@ -47,8 +47,9 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(exchange::Imported imported, exchange::import_demonstration(arguments.file, format));
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   imported.recording.provenance.created = iso_time(console.clock->unix_s());
-  const std::string name =
+  const std::string wanted =
       arguments.name.empty() ? std::filesystem::path(arguments.file).stem().string() : arguments.name;
+  const std::string name = free_demonstration_name(*file.project(), wanted, console);
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.add_recording(imported.recording, name));
   const auto& document = *file.project()->demonstrations.at(demonstration::DemonstrationId{id});
   const auto [warnings, errors] = count_problems(document);

@@ -38,8 +38,8 @@ Result<Answer> run_record(const RecordArguments& arguments, Console& console) {
   trial::TransferOptions options = arguments.options;
   TROCAR_ASSIGN_OR_RETURN(options.skill, trial::skill_from(arguments.skill));
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
-  const std::string name =
-      arguments.name.empty() ? workbench::demonstration_name(*file.project(), options.skill) : arguments.name;
+  const std::string name = arguments.name.empty() ? workbench::demonstration_name(*file.project(), options.skill)
+                                                  : free_demonstration_name(*file.project(), arguments.name, console);
   const double begin_s = console.clock->now_s();
   TROCAR_ASSIGN_OR_RETURN(const workbench::RecordReport report,
                           workbench::record_transfer(file, options, name, console.progress()));

@@ -21,6 +21,7 @@ struct ExportArguments {
   std::string map;
   int width = 1000;
   std::string out;
+  std::vector<const CLI::Option*> of_pictures;  ///< What says how a picture looks, and numbers cannot heed.
 };
 
 void bind_export(CLI::App& verb, ExportArguments& arguments) {
@@ -32,15 +33,29 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
   }
   verb.add_option("--layer", arguments.layer, "One of " + layers)->capture_default_str();
   CLI::Option* slice = verb.add_option("--slice", arguments.slice, "One slice: x=I, y=J or z=K");
-  verb.add_flag("--montage", arguments.montage, "All slices along z (without --slice)")->excludes(slice);
-  verb.add_option("--scale", arguments.scale, "linear, symlog or percentile")
-      ->check(CLI::IsMember({"linear", "symlog", "percentile"}))
-      ->capture_default_str();
-  verb.add_option("--map", arguments.map, "Colour map (else what suits the layer)");
-  verb.add_option("--width", arguments.width, "Width of the picture in pixels")
-      ->check(CLI::Range(100, 8192))
-      ->capture_default_str();
+  arguments.of_pictures = {
+      verb.add_flag("--montage", arguments.montage, "All slices along z (without --slice)")->excludes(slice),
+      verb.add_option("--scale", arguments.scale, "linear, symlog or percentile")
+          ->check(CLI::IsMember({"linear", "symlog", "percentile"}))
+          ->capture_default_str(),
+      verb.add_option("--map", arguments.map, "Colour map (else what suits the layer)"),
+      verb.add_option("--width", arguments.width, "Width of the picture in pixels")
+          ->check(CLI::Range(100, 8192))
+          ->capture_default_str()};
   verb.add_option("--out", arguments.out, "F.png, F.svg, F.csv or F.npy")->required();
+}
+
+/// Errors: kInvalidArgument for an option that would be ignored.
+Status check_heeded(const ExportArguments& arguments) {
+  const std::filesystem::path out = arguments.out;
+  if (out.extension() != ".csv" && out.extension() != ".npy") return {};
+  for (const CLI::Option* option : arguments.of_pictures) {
+    if (option->count() == 0) continue;
+    return tl::unexpected(
+        Error(ErrorCode::kInvalidArgument, option->get_name() + " is of pictures; this file holds numbers")
+            .at(arguments.out));
+  }
+  return {};
 }
 
 /// What a figure of it shows: the range of numbers, or how many cells each category has.
@@ -61,9 +76,11 @@ plot::ScaleKind scale_from(const std::string& text) {
 
 Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png", ".svg", ".csv", ".npy"}));
+  TROCAR_RETURN_IF_ERROR(check_heeded(arguments));
   TROCAR_ASSIGN_OR_RETURN(const learning::Layer layer, learning::layer_from(arguments.layer));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
+  warn_if_stale(*file.project(), *entry, console);
   const learning::Field field = learning::field(*entry->model, layer);
   figure::FieldFigureOptions options = workbench::figure_options(*entry, field);
   if (!arguments.slice.empty()) {

@@ -24,8 +24,7 @@ void bind_train(CLI::App& verb, TrainArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("DEMO", arguments.demonstrations, "Demonstrations by id or name; the first gives start and goal")
       ->required();
-  verb.add_option("--segment", arguments.segment, "The agent's segment, A or C")
-      ->check(CLI::IsMember({"A", "C"}, CLI::ignore_case))
+  verb.add_option("--segment", arguments.segment, "A (to the block) or C (to the hand-off): what the agent does")
       ->capture_default_str();
   verb.add_option("--method", arguments.method, "eg-maxent, eg-maxent+ or exact")->capture_default_str();
   verb.add_option("--epsilon", arguments.options.epsilon, "Exploration ε, 0 … 1 (0 … 0.1 in the paper)")
@@ -34,6 +33,16 @@ void bind_train(CLI::App& verb, TrainArguments& arguments) {
   add_seed(verb, arguments.options.seed, "Seed of the random numbers");
   verb.add_option("--grid", arguments.grid, "Cells a side")->capture_default_str();
   verb.add_option("--name", arguments.name, "Name of the model (else made from method and segment)");
+}
+
+/// Errors: kInvalidArgument for what is no segment, and for the operator's.
+Result<demonstration::Segment> agents_segment(const std::string& text) {
+  TROCAR_ASSIGN_OR_RETURN(const demonstration::Segment segment, segment_from(text));
+  if (segment == demonstration::Segment::kA || segment == demonstration::Segment::kC) return segment;
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("segment {} is the operator's; the agent does A (to the block) and C (to the hand-off), so "
+                          "that only these are learned",
+                          demonstration::letter(segment)));
 }
 
 std::string method_text(const learning::Model& model) {
@@ -123,12 +132,12 @@ std::string line_of(const Json& json) {
 
 Result<Answer> run_train(const TrainArguments& arguments, Console& console) {
   workbench::TrainModel request;
-  TROCAR_ASSIGN_OR_RETURN(request.segment, segment_from(arguments.segment));
+  TROCAR_ASSIGN_OR_RETURN(request.segment, agents_segment(arguments.segment));
   request.options = arguments.options;
   TROCAR_ASSIGN_OR_RETURN(request.options.method, learning::method_from(arguments.method));
   request.grid = arguments.grid;
-  request.name = arguments.name;
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kWhole));
+  if (!arguments.name.empty()) request.name = free_model_name(*file.project(), arguments.name, console);
   for (const std::string& text : arguments.demonstrations) {
     TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), text));
     request.demonstrations.push_back(demonstration->id);
@@ -178,8 +187,7 @@ Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
   answer.json = full_json(*file.project(), *entry);
   answer.summary = line_of(answer.json);
   for (const auto& [key, value] : answer.json.items()) {
-    answer.text += fmt::format("{}{:<20} {}", answer.text.empty() ? "" : "\n", key,
-                               value.is_string() ? value.get<std::string>() : value.dump());
+    answer.text += fmt::format("{}{:<20} {}", answer.text.empty() ? "" : "\n", key, shown(value));
   }
   return answer;
 }
@@ -224,6 +232,9 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
   const learning::Model& a = *entry_a->model;
   const learning::Model& b = *entry_b->model;
   if (a.grid != b.grid) return fail(ErrorCode::kInvalidArgument, "the models have different lattices");
+  warn_if_stale(*file.project(), *entry_a, console);
+  if (entry_a != entry_b) warn_if_stale(*file.project(), *entry_b, console);
+  warn_if_unlike(*entry_a, *entry_b, console);
   const auto explored = [&](int learning::Exploration::*member) {
     const auto of = [member](const learning::Model& model) {
       return is_sampled(model) ? std::optional(learning::exploration(model).*member) : std::nullopt;

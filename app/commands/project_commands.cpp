@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "app/lookup.h"
 #include "app/options.h"
@@ -23,6 +25,12 @@ Result<Answer> run_new(const ProjectArguments& arguments, Console& console) {
   if (std::filesystem::path(arguments.project).extension() != ".trocar") {
     return tl::unexpected(
         Error(ErrorCode::kInvalidArgument, "a project's name must end in .trocar").at(arguments.project));
+  }
+  if (std::error_code ignored; std::filesystem::exists(arguments.project, ignored)) {
+    return tl::unexpected(
+        Error(ErrorCode::kIo,
+              "the file exists already; remove it, or choose another name (for a script, another --out)")
+            .at(arguments.project));
   }
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           workbench::ProjectFile::create(arguments.project, console.clock));
@@ -52,6 +60,16 @@ Result<Answer> run_info(const ProjectArguments& arguments, Console& console) {
   return answer;
 }
 
+std::string description_of(const workbench::ProjectFile& file, std::int64_t id) {
+  const auto& nodes = file.history();
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [id](const auto& node) { return node.id == id; });
+  return found == nodes.end() ? "" : found->description;
+}
+
+std::string place_of(const workbench::ProjectFile& file, std::int64_t id) {
+  return id == 0 ? "the beginning" : fmt::format("edit {} ({})", id, description_of(file, id));
+}
+
 /// One line for each node, children under their parent; a branch is indented, the line that goes on is not.
 void print_tree(const std::map<std::int64_t, std::vector<const workbench::HistoryNode*>>& children, std::int64_t parent,
                 std::int64_t head, int depth, std::string& text) {
@@ -66,9 +84,16 @@ void print_tree(const std::map<std::int64_t, std::vector<const workbench::Histor
   }
 }
 
-Result<Answer> run_history(const ProjectArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
-                          open_to_read(arguments.project, console, Models::kDescribed));
+struct HistoryArguments {
+  std::string project;
+  std::optional<std::int64_t> go;
+};
+
+Result<Answer> run_history(const HistoryArguments& arguments, Console& console) {
+  const auto purpose = arguments.go ? workbench::ProjectFile::Purpose::kMove : workbench::ProjectFile::Purpose::kRead;
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
+                          open_project(arguments.project, console, purpose, Models::kDescribed));
+  if (arguments.go) TROCAR_RETURN_IF_ERROR(file.go_to(*arguments.go));
   Answer answer;
   answer.json = {{"head", file.head()}, {"history", Json::array()}};
   std::map<std::int64_t, std::vector<const workbench::HistoryNode*>> children;
@@ -82,15 +107,23 @@ Result<Answer> run_history(const ProjectArguments& arguments, Console& console) 
     children[node.parent].push_back(&node);
   }
   answer.summary = counted(file.history().size(), "edit");
+  if (arguments.go) answer.summary = "now at " + place_of(file, file.head());
   print_tree(children, 0, file.head(), 0, answer.text);
   if (!answer.text.empty()) answer.text.pop_back();
   return answer;
 }
 
-Answer moved(const workbench::ProjectFile& file, const std::string& verb) {
+/// `edit` is what was taken back or made again.
+Answer moved(const workbench::ProjectFile& file, const std::string& verb, std::int64_t edit) {
   Answer answer;
-  answer.json = {{"head", file.head()}, {"undoable", file.undoable()}, {"redoable", file.redoable()}};
-  answer.summary = fmt::format("{}, now at edit {}", verb, file.head());
+  const std::string description = description_of(file, edit);
+  answer.json = {{"head", file.head()},
+                 {"undoable", file.undoable()},
+                 {"redoable", file.redoable()},
+                 {"edit", edit},
+                 {"description", description}};
+  answer.summary = fmt::format("{}: {}", verb, description);
+  answer.text = fmt::format("{}; now at {}", answer.summary, place_of(file, file.head()));
   return answer;
 }
 
@@ -98,8 +131,9 @@ Result<Answer> run_undo(const ProjectArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(
       workbench::ProjectFile file,
       open_project(arguments.project, console, workbench::ProjectFile::Purpose::kMove, Models::kDescribed));
+  const std::int64_t undone = file.head();
   TROCAR_RETURN_IF_ERROR(file.undo());
-  return moved(file, "undone");
+  return moved(file, "undone", undone);
 }
 
 Result<Answer> run_redo(const ProjectArguments& arguments, Console& console) {
@@ -107,7 +141,7 @@ Result<Answer> run_redo(const ProjectArguments& arguments, Console& console) {
       workbench::ProjectFile file,
       open_project(arguments.project, console, workbench::ProjectFile::Purpose::kMove, Models::kDescribed));
   TROCAR_RETURN_IF_ERROR(file.redo());
-  return moved(file, "done again");
+  return moved(file, "done again", file.head());
 }
 
 Result<Answer> run_recover(const ProjectArguments& arguments, Console& console) {
@@ -125,7 +159,13 @@ Result<Answer> run_recover(const ProjectArguments& arguments, Console& console) 
 void add_project_commands(CLI::App& root, Action& chosen) {
   add_verb<ProjectArguments>(root, chosen, "new", "Make an empty project with the standard board", bind, run_new);
   add_verb<ProjectArguments>(root, chosen, "info", "Say what a project holds", bind, run_info);
-  add_verb<ProjectArguments>(root, chosen, "history", "Show every edit as a tree", bind, run_history);
+  add_verb<HistoryArguments>(
+      root, chosen, "history", "Show every edit as a tree, or go to one of them",
+      [](CLI::App& verb, HistoryArguments& a) {
+        verb.add_option("PROJECT", a.project, "The project file")->required();
+        verb.add_option("--go", a.go, "Make the project as it was after this edit, by its number; 0: empty");
+      },
+      run_history);
   add_verb<ProjectArguments>(root, chosen, "recover", "Take in recordings that were cut off, as every edit does", bind,
                              run_recover);
   add_verb<ProjectArguments>(root, chosen, "undo", "Go back by one edit", bind, run_undo);

@@ -12,15 +12,16 @@ namespace {
 struct RunArguments {
   std::string project;
   std::string model;
-  std::string starts = "around:3";
+  std::string starts;
   std::string out;
 };
 
 void bind_run(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("MODEL", arguments.model, "Id or name")->required();
-  verb.add_option("--starts", arguments.starts, "all, around:K (within ±K cells) or file:F.csv (columns i,j,k)")
-      ->capture_default_str();
+  verb.add_option(
+      "--starts", arguments.starts,
+      "all, around:K (within ±K cells) or file:F.csv (columns i,j,k); else around:3, and ±1 … ±5 beside it");
   verb.add_option("--out", arguments.out, "F.csv: also write one row for each rollout");
 }
 
@@ -69,7 +70,9 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   const learning::Model& model = *entry->model;
-  TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts, starts_from(arguments.starts, model));
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts,
+                          starts_from(arguments.starts.empty() ? "around:3" : arguments.starts, model));
+  warn_if_stale(*file.project(), *entry, console);
 
   const double begin_s = console.clock->now_s();
   const std::vector<std::uint8_t> policy = learning::greedy_policy(model);
@@ -87,12 +90,14 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   answer.json["around"] = Json::array();
   answer.summary = line_of(summary, entry->segment);
   answer.text = answer.summary;
-  for (int k = 1; k <= 5; ++k) {
+  // A list of starts from a file has nothing to do with the model's own.
+  const int rows = arguments.starts.starts_with("file:") ? 0 : 5;
+  for (int k = 1; k <= rows; ++k) {
     const learning::RolloutSummary near = learning::summarise(basin, learning::starts_around(model, k));
     Json row = json_of(near);
     row["k"] = k;
     answer.json["around"].push_back(std::move(row));
-    answer.text += fmt::format("\n  within ±{}: {}", k, line_of(near, entry->segment));
+    if (arguments.starts.empty()) answer.text += fmt::format("\n  within ±{}: {}", k, line_of(near, entry->segment));
   }
   return answer;
 }
@@ -119,6 +124,9 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
     return fail(ErrorCode::kInvalidArgument, "the models have different lattices");
   }
   TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts, starts_from(arguments.starts, *a->model));
+  warn_if_stale(*file.project(), *a, console);
+  if (a != b) warn_if_stale(*file.project(), *b, console);
+  warn_if_unlike(*a, *b, console);
   const learning::Basin basin_a = learning::basin(*a->model, learning::greedy_policy(*a->model));
   const learning::Basin basin_b = learning::basin(*b->model, learning::greedy_policy(*b->model));
   const learning::PairedComparison paired = learning::compare(basin_a, basin_b, starts);

@@ -21,6 +21,12 @@ struct RunArguments {
 void bind_run(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("SCRIPT", arguments.script, "A text file of trocar commands, one a line")->required();
   verb.add_option("--out", arguments.out, "The folder that ${out} stands for; made if missing")->capture_default_str();
+  verb.footer(
+      "A line of a script is a command as it is typed, without `trocar`. `default NAME VALUE` gives a variable its "
+      "value\n"
+      "where --set does not, ${NAME} stands for it; ${out} and ${here} (the script's folder) are always there. `## "
+      "Title`\n"
+      "names the next step, # begins a comment.");
   verb.add_option("--set", arguments.settings, "NAME=VALUE: a variable of the script");
 }
 

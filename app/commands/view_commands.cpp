@@ -36,8 +36,8 @@ void bind_render(CLI::App& verb, RenderArguments& arguments) {
       ->check(CLI::IsMember({1, 2, 4}))
       ->capture_default_str();
   verb.add_flag("--path", arguments.path, "Draw both tools' paths, coloured by segment");
-  verb.add_option("--model", arguments.model, "Draw a field of this model through its goal");
-  verb.add_option("--layer", arguments.layer, "Which field")->capture_default_str();
+  CLI::Option* model = verb.add_option("--model", arguments.model, "Draw a field of this model through its goal");
+  verb.add_option("--layer", arguments.layer, "Which field of the model")->capture_default_str()->needs(model);
   verb.add_option("--out", arguments.out, "F.png")->required();
 }
 
@@ -84,6 +84,7 @@ Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
   std::string owner;
   if (!arguments.model.empty()) {
     TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
+    warn_if_stale(*file.project(), *entry, console);
     TROCAR_ASSIGN_OR_RETURN(stage::FieldLayer layer, layer_of(*entry, arguments.layer));
     request.fields.push_back(std::move(layer));
     request.options.lattice_frame = true;

@@ -11,8 +11,9 @@ namespace trocar::figure {
 
 Result<Slice> slice_from(std::string_view text, const spatial::Grid& grid) {
   const auto refuse = [&] {
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("a slice is x=0 to z={} on this lattice, not \"{}\"", grid.n - 1, text));
+    return fail(
+        ErrorCode::kInvalidArgument,
+        fmt::format("\"{}\" is no slice of this lattice; write x=N, y=N or z=N with N from 0 to {}", text, grid.n - 1));
   };
   if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || text[1] != '=') return refuse();
   Slice slice{text[0] - 'x', 0};

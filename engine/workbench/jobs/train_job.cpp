@@ -2,12 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "engine/demonstration/discretise.h"
 
 namespace trocar::workbench {
+
+namespace {
+
+/// The window finds models by their name as well: what is not asked for by name must not repeat one.
+std::string free_name(const Project& project, const std::string& wanted) {
+  const auto taken = [&project](const std::string& name) {
+    return std::any_of(project.models.begin(), project.models.end(),
+                       [&name](const auto& item) { return item.second->name == name; });
+  };
+  std::string name = wanted;
+  for (int number = 2; taken(name); ++number) name = fmt::format("{} {}", wanted, number);
+  return name;
+}
+
+}  // namespace
 
 std::string model_name(const TrainModel& request) {
   std::string name =
@@ -38,7 +54,7 @@ Result<ModelEntry> train_model(const Project& project, const TrainModel& request
     entry.demonstration_hashes.push_back(found->second->hash());
   }
   TROCAR_ASSIGN_OR_RETURN(learning::Model model, learning::train(grid, experts, request.options, progress));
-  entry.name = request.name.empty() ? model_name(request) : request.name;
+  entry.name = request.name.empty() ? free_name(project, model_name(request)) : request.name;
   entry.segment = request.segment;
   entry.model = std::make_shared<const learning::Model>(std::move(model));
   return entry;
