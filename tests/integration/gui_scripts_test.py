@@ -9,6 +9,8 @@ import unittest
 from cli_support import DONE, TROCAR, CommandLineTest
 
 SCRIPTS = sorted((pathlib.Path(__file__).resolve().parent.parent / "gui").glob("*.ui"))
+# Ends what hangs; how long a window takes on a busy machine is not what is tested.
+PATIENCE_S = 300
 WORKBENCH = pathlib.Path(TROCAR).with_name("trocar-workbench")
 
 
@@ -46,21 +48,21 @@ class RealWindowTest(CommandLineTest):
         project = self.recorded_project()
         window = subprocess.Popen([WORKBENCH, project], env=environment)
         self.addCleanup(window.kill)
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + PATIENCE_S
         # Its title names the project once it runs.
         name = pathlib.Path(project).name
         while window.poll() is None and not self.xdotool("search", "--name", name).stdout.strip():
             self.assertLess(time.monotonic(), deadline, "no window appeared")
             time.sleep(0.2)
         window.terminate()
-        self.assertEqual(window.wait(timeout=60), 0)
+        self.assertEqual(window.wait(timeout=PATIENCE_S), 0)
 
     def test_a_window_opens_and_closes_on_its_key(self):
         environment = {**os.environ, "DISPLAY": self.display, "XDG_CONFIG_HOME": str(self.folder)}
         window = subprocess.Popen([WORKBENCH, self.recorded_project()], env=environment)
         self.addCleanup(window.kill)
         found = ""
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + PATIENCE_S
         while not found and time.monotonic() < deadline and window.poll() is None:
             found = self.xdotool("search", "--onlyvisible", "--name", "rocar").stdout.strip()
             time.sleep(0.2)

@@ -110,6 +110,21 @@ TEST_CASE("a list that drops down is opened, walked and chosen from by keys") {
   CHECK(desk.last<workbench::SetField>()->settings.layer == learning::Layer::kValue);
 }
 
+TEST_CASE("a slider takes a typed number on Enter") {
+  Desk desk(testing::made_state_with_model());
+  Driver driver = desk.driver();
+  CHECK(text_of(driver.click("Tabs/Fields")) == "");
+  REQUIRE(tab_to(desk, "Fields/z/Index"));
+  CHECK(driver.key("Enter"));
+  CHECK(driver.frames(4));
+  CHECK(driver.key("Ctrl+A"));
+  desk.window.input().push(Typed{'5'});
+  CHECK(driver.frames(2));
+  CHECK(driver.key("Enter"));
+  CHECK(text_of(driver.expect_value("Fields/z/Index", "z = 5")) == "");
+  CHECK(focus_of(desk).path() == "Fields/z/Index");
+}
+
 TEST_CASE("a click takes the ring away") {
   Desk desk(testing::made_state());
   CHECK(desk.driver().key("Tab"));
