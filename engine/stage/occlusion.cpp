@@ -44,6 +44,23 @@ bool enters(const Vector3f& from, const Vector3f& way, const Vector3f& a, const 
   return t >= 0.0F && t <= determinant;
 }
 
+/// Whether the way from `from` by `way` goes through a texel of the quad that is opaque enough.
+bool pierces(const Vector3f& from, const Vector3f& way, const scene::Quad& quad) {
+  const Vector3f normal = quad.u.cross(quad.v);
+  const float across = normal.dot(way);
+  if (across == 0.0F) return false;
+  const float t = normal.dot(quad.origin - from) / across;
+  if (t < 0.0F || t > 1.0F) return false;
+  const Vector3f at = from + t * way - quad.origin;
+  const float u = at.dot(quad.u) / quad.u.squaredNorm();
+  const float v = at.dot(quad.v) / quad.v.squaredNorm();
+  if (u < 0.0F || v < 0.0F || u >= 1.0F || v >= 1.0F) return false;
+  const Image& texture = *quad.texture;
+  const int column = std::clamp(static_cast<int>(u * static_cast<float>(texture.width)), 0, texture.width - 1);
+  const int row = std::clamp(static_cast<int>((1.0F - v) * static_cast<float>(texture.height)), 0, texture.height - 1);
+  return quad.opacity * static_cast<float>(texture.at(column, row).a) / 255.0F >= kOpaqueFrom;
+}
+
 }  // namespace
 
 Occlusion::Occlusion(const scene::Scene& scene) {
@@ -56,6 +73,10 @@ Occlusion::Occlusion(const scene::Scene& scene) {
     bodies_.push_back({node.mesh.get(), node.X_WM, (node.X_WM * found->second.first.homogeneous()).head<3>(),
                        scale * found->second.second});
   }
+  for (const scene::Quad& quad : scene.quads) {
+    const bool drawn = quad.texture != nullptr && !quad.texture->empty();
+    if (drawn && quad.opacity >= kOpaqueFrom) sheets_.push_back(&quad);
+  }
 }
 
 bool Occlusion::hides(const Eigen::Vector3d& p_WEye, const Eigen::Vector3d& p_WPoint) const {
@@ -63,6 +84,8 @@ bool Occlusion::hides(const Eigen::Vector3d& p_WEye, const Eigen::Vector3d& p_WP
   if (distance_m <= kTouch_m) return false;
   const Vector3f from = p_WEye.cast<float>();
   const Vector3f way = ((p_WPoint - p_WEye) * (1.0 - kTouch_m / distance_m)).cast<float>();
+  const auto pierced = [&](const scene::Quad* quad) { return pierces(from, way, *quad); };
+  if (std::any_of(sheets_.begin(), sheets_.end(), pierced)) return true;
   for (const Body& body : bodies_) {
     const float along = std::clamp((body.centre_W - from).dot(way) / way.squaredNorm(), 0.0F, 1.0F);
     if ((from + along * way - body.centre_W).squaredNorm() > body.radius_m * body.radius_m) continue;

@@ -8,7 +8,8 @@
 
 namespace trocar::stage {
 
-/// See-through things and quads hide nothing. Threads: any; holds pointers into the scene.
+/// See-through things hide nothing; a slice of a field hides where its cells are known. Threads: any; holds pointers
+/// into the scene.
 class Occlusion {
  public:
   explicit Occlusion(const scene::Scene& scene);
@@ -24,6 +25,7 @@ class Occlusion {
     float radius_m = 0.0F;
   };
   std::vector<Body> bodies_;
+  std::vector<const scene::Quad*> sheets_;
 };
 
 }  // namespace trocar::stage

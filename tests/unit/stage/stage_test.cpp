@@ -405,3 +405,24 @@ TEST_CASE("the scale bar lies across the view of every camera, ten millimetres l
     CHECK(right - left == doctest::Approx(0.010).epsilon(0.01));
   }
 }
+
+TEST_CASE("a label behind a slice is not written over it, one before it or behind unknown cells is") {
+  const Image ground(320, 180, {20, 20, 20, 255});
+  const scene::Camera camera = scene::Camera::look_at({0.2, 0.0, 0.0}, {0.0, 0.0, 0.0});
+  const auto written = [&](double label_x_m, std::uint8_t alpha, float opacity) {
+    scene::Scene scene;
+    scene::Quad quad;
+    quad.origin = {0.0F, -0.05F, -0.05F};
+    quad.u = {0.0F, 0.1F, 0.0F};
+    quad.v = {0.0F, 0.0F, 0.1F};
+    quad.texture = std::make_shared<const Image>(4, 4, Rgba{90, 160, 90, alpha});
+    quad.opacity = opacity;
+    scene.quads.push_back(quad);
+    scene.labels.push_back({{label_x_m, 0.0, 0.0}, "S2"});
+    return !(stage::with_labels(ground, scene, camera) == ground);
+  };
+  CHECK_FALSE(written(-0.02, 255, 0.8F));
+  CHECK(written(0.02, 255, 0.8F));
+  CHECK(written(-0.02, 0, 0.8F));
+  CHECK(written(-0.02, 255, 0.3F));
+}
