@@ -48,12 +48,23 @@ bool is_taken(const Map& map, std::string_view name) {
   return std::any_of(map.begin(), map.end(), [name](const auto& item) { return item.second->name == name; });
 }
 
-/// `wanted`, or with the first number from 2 that makes it unique, which is then said.
+/// A name in front of its number: "Expert 3" is "Expert" and 3; without one, the number is 1.
+std::pair<std::string, std::int64_t> split_number(const std::string& name) {
+  const std::size_t space = name.rfind(' ');
+  if (space == std::string::npos || space == 0) return {name, 1};
+  const std::optional<std::int64_t> number = whole_number(std::string_view(name).substr(space + 1));
+  constexpr std::int64_t kLargest = 1'000'000;
+  if (!number || *number < 1 || *number > kLargest) return {name, 1};
+  return {name.substr(0, space), *number};
+}
+
+/// `wanted`, or with the next number that makes it unique, which is then said.
 template <typename Map>
 std::string free_name(const Map& map, const std::string& wanted, std::string_view noun, Console& console) {
   if (!is_taken(map, wanted)) return wanted;
-  std::string name;
-  for (int number = 2; name.empty() || is_taken(map, name); ++number) name = fmt::format("{} {}", wanted, number);
+  auto [base, number] = split_number(wanted);
+  std::string name = wanted;
+  while (is_taken(map, name)) name = fmt::format("{} {}", base, ++number);
   console.diagnostics.warn(fmt::format("a {} is named {} already; this one is named {}", noun, wanted, name));
   return name;
 }

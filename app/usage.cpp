@@ -27,6 +27,17 @@ std::vector<Known> known_commands(const CLI::App& app) {
   return known;
 }
 
+/// The commands of the commands, each shown whole: "demo replay".
+std::vector<Known> known_below(const CLI::App& app) {
+  std::vector<Known> known;
+  for (const CLI::App* noun : commands_of(app)) {
+    for (const CLI::App* verb : commands_of(*noun)) {
+      known.push_back({verb->get_name(), noun->get_name() + " " + verb->get_name()});
+    }
+  }
+  return known;
+}
+
 /// Of the command and all that it is part of, which take theirs too.
 std::vector<Known> known_options(const CLI::App& app) {
   std::vector<Known> known;
@@ -83,7 +94,9 @@ std::string on_unknown(const CLI::App& at, const std::string& word, const std::v
     return fmt::format("{} is no option of {}{}", name, path_of(at), did_you_mean(name, known_options(at)));
   }
   if (commands_of(at).empty()) return one_too_many(word, words);
-  return fmt::format("{} is no command{}", word, suggestion(word, known_commands(at)));
+  std::string meant = did_you_mean(word, known_commands(at));
+  if (meant.empty()) meant = did_you_mean(word, known_below(at));
+  return fmt::format("{} is no command{}", word, meant.empty() ? there_are(known_commands(at)) : meant);
 }
 
 std::string tidied(std::string sentence) {

@@ -24,6 +24,7 @@ class Hints(CommandLineTest):
 
     def test_a_command_or_option_that_is_nearly_right_is_named(self):
         self.refused("dmeo", code=USAGE, saying="did you mean demo?")
+        self.refused("replay", "x", code=USAGE, saying="did you mean demo replay?")
         self.refused("demo", "recrod", "x", code=USAGE, saying="did you mean record?")
         self.refused("field", "frob", code=USAGE, saying="there is export")
         self.refused("demo", code=USAGE, saying="record")
@@ -34,7 +35,7 @@ class Hints(CommandLineTest):
         self.refused("demo", "show", "p.trocar", "Expert", "1", code=USAGE, saying='quote the name: "Expert 1"')
 
     def test_help_of_what_does_not_exist_is_an_error(self):
-        self.refused("export", "--help", code=USAGE, saying="export is no command")
+        self.refused("export", "--help", code=USAGE, saying="export is no command; did you mean demo export or field export?")
         self.refused("demo", "nosuch", "--help", code=USAGE, saying="nosuch is no command")
 
     def test_help_shows_arguments_in_the_order_in_which_they_are_typed(self):
@@ -93,6 +94,7 @@ class Names(CommandLineTest):
         self.assertEqual(json.loads(done.stdout)["name"], "Expert 2")
         self.assertIn("named Expert already", done.stderr)
         self.assertEqual(self.answer("model", "train", project, "1", "--name", "A exact")["name"], "A exact 2")
+        self.assertEqual(self.answer("model", "train", project, "1", "--name", "A exact 2")["name"], "A exact 3")
 
     def test_a_rename_to_a_taken_name_is_refused(self):
         project = self.recorded_project()
