@@ -1,9 +1,8 @@
 // The window: opens it on a project and runs until it is closed.
 #include <fmt/format.h>
-#include <signal.h>
-
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <string_view>
 #include <utility>

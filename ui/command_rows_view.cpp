@@ -10,12 +10,12 @@ using namespace workbench;
 using State = WorkbenchState;
 
 template <Workspace workspace>
-Requests workspace_(const State&) {
+Requests switch_workspace(const State&) {
   return {ShowWorkspace{workspace}};
 }
 
 template <scene::CameraPreset preset>
-Requests camera_(const State&) {
+Requests look_from(const State&) {
   return one(Command{SetCameraPreset{preset}});
 }
 
@@ -68,7 +68,7 @@ constexpr std::array<RowData, 16> kViewRows{{
      {"Ctrl+1"},
      false,
      nullptr,
-     workspace_<Workspace::kLibrary>},
+     switch_workspace<Workspace::kLibrary>},
     {"view.author",
      "View",
      "Author workspace",
@@ -77,7 +77,7 @@ constexpr std::array<RowData, 16> kViewRows{{
      {"Ctrl+2"},
      false,
      nullptr,
-     workspace_<Workspace::kAuthor>},
+     switch_workspace<Workspace::kAuthor>},
     {"view.fields",
      "View",
      "Fields workspace",
@@ -86,7 +86,7 @@ constexpr std::array<RowData, 16> kViewRows{{
      {"Ctrl+3"},
      false,
      nullptr,
-     workspace_<Workspace::kFields>},
+     switch_workspace<Workspace::kFields>},
     {"view.rollouts",
      "View",
      "Rollouts workspace",
@@ -95,7 +95,7 @@ constexpr std::array<RowData, 16> kViewRows{{
      {"Ctrl+4"},
      false,
      nullptr,
-     workspace_<Workspace::kRollouts>},
+     switch_workspace<Workspace::kRollouts>},
     {"view.camera_paper",
      "View",
      "Paper camera",
@@ -104,7 +104,7 @@ constexpr std::array<RowData, 16> kViewRows{{
      {"Alt+1"},
      true,
      nullptr,
-     camera_<scene::CameraPreset::kPaper>},
+     look_from<scene::CameraPreset::kPaper>},
     {"view.camera_top",
      "View",
      "Top camera",
@@ -113,7 +113,7 @@ constexpr std::array<RowData, 16> kViewRows{{
      {"Alt+2"},
      false,
      nullptr,
-     camera_<scene::CameraPreset::kTop>},
+     look_from<scene::CameraPreset::kTop>},
     {"view.camera_side",
      "View",
      "Side camera",
@@ -122,7 +122,7 @@ constexpr std::array<RowData, 16> kViewRows{{
      {"Alt+3"},
      false,
      nullptr,
-     camera_<scene::CameraPreset::kSide>},
+     look_from<scene::CameraPreset::kSide>},
     {"view.camera_front",
      "View",
      "Front camera",
@@ -131,7 +131,7 @@ constexpr std::array<RowData, 16> kViewRows{{
      {"Alt+4"},
      false,
      nullptr,
-     camera_<scene::CameraPreset::kFront>},
+     look_from<scene::CameraPreset::kFront>},
     {"view.field",
      "View",
      "Field in the view",

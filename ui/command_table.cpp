@@ -74,6 +74,7 @@ std::vector<const CommandRow*> search_commands(std::string_view typed) {
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<const CommandRow*> rows;
+  rows.reserve(ranked.size());
   for (const auto& [score, row] : ranked) rows.push_back(row);
   return rows;
 }

@@ -67,7 +67,7 @@ std::string shown_time(const std::string& iso) {
 }
 
 std::string shown_path(const std::filesystem::path& path) {
-  const std::string text = path.string();
+  std::string text = path.string();
   const char* home = std::getenv("HOME");
   const std::string folder = fmt::format("{}/", home == nullptr ? "" : home);
   if (folder.size() > 1 && text.starts_with(folder)) return fmt::format("~/{}", text.substr(folder.size()));

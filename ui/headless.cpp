@@ -62,7 +62,7 @@ Status Runner::wait_for(const std::string& path, double limit_s) {
   const SystemClock clock;
   const double end_s = clock.now_s() + limit_s;
   while (true) {
-    const Status present = driver_.expect_present(path, true);
+    Status present = driver_.expect_present(path, true);
     if (present) return {};
     if (clock.now_s() > end_s) return present;
     TROCAR_RETURN_IF_ERROR(step());

@@ -23,6 +23,7 @@ constexpr const char* kFilm = "\xef\x80\x88";       // f008
 constexpr const char* kFolder = "\xef\x81\xbc";     // f07c folder open
 constexpr const char* kFile = "\xef\x80\x96";       // f016
 constexpr const char* kWarning = "\xef\x81\xb1";    // f071
+constexpr const char* kHelp = "\xef\x81\x99";       // f059 question in a circle
 constexpr const char* kInfo = "\xef\x81\x9a";       // f05a
 constexpr const char* kSearch = "\xef\x80\x82";     // f002
 constexpr const char* kHistory = "\xef\x87\x9a";    // f1da

@@ -148,7 +148,7 @@ ImU32 to_u32(Rgba colour) {
 
 ImU32 to_u32(Rgba colour, float alpha) {
   const float opacity = std::clamp(static_cast<float>(colour.a) * alpha, 0.0F, 255.0F);
-  return IM_COL32(colour.r, colour.g, colour.b, static_cast<int>(opacity + 0.5F));
+  return IM_COL32(colour.r, colour.g, colour.b, static_cast<int>(std::lround(opacity)));
 }
 
 ImVec4 to_vec4(Rgba colour) {

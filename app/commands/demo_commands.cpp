@@ -9,15 +9,16 @@
 namespace trocar::app {
 namespace {
 
+/// A block's or a peg's number; null if unknown.
+Json place_json(int place) {
+  return place == demonstration::kUnknownPlace ? Json() : Json(place);
+}
+
 Json provenance_json(const demonstration::Provenance& provenance) {
-  return {{"operator", provenance.operator_kind},
-          {"skill", provenance.skill},
-          {"device", provenance.device},
-          {"seed", provenance.seed},
-          {"block", provenance.block},
-          {"goal", provenance.goal},
-          {"scene_hash", provenance.scene_hash},
-          {"software", provenance.software},
+  return {{"operator", provenance.operator_kind},  {"skill", provenance.skill},
+          {"device", provenance.device},           {"seed", provenance.seed},
+          {"block", place_json(provenance.block)}, {"goal", place_json(provenance.goal)},
+          {"scene_hash", provenance.scene_hash},   {"software", provenance.software},
           {"created", provenance.created}};
 }
 

@@ -32,6 +32,8 @@ struct ImportArguments {
   std::string file;
   std::string format;
   std::string name;
+  int block = demonstration::kUnknownPlace;
+  int goal = demonstration::kUnknownPlace;
 };
 
 void bind_import(CLI::App& verb, ImportArguments& arguments) {
@@ -39,6 +41,8 @@ void bind_import(CLI::App& verb, ImportArguments& arguments) {
   verb.add_option("FILE", arguments.file, "What to read")->required();
   verb.add_option("--format", arguments.format, "csv or npy (else guessed from the file's name)");
   verb.add_option("--name", arguments.name, "Name (else the file's)");
+  verb.add_option("--block", arguments.block, "The block that is carried, if you know it")->check(CLI::Range(0, 5));
+  verb.add_option("--goal", arguments.goal, "The peg that it goes to, if you know it")->check(CLI::Range(0, 5));
 }
 
 Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
@@ -46,6 +50,8 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(exchange::Imported imported, exchange::import_demonstration(arguments.file, format));
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
+  imported.recording.provenance.block = arguments.block;
+  imported.recording.provenance.goal = arguments.goal;
   imported.recording.provenance.created = iso_time(console.clock->unix_s());
   const std::string wanted =
       arguments.name.empty() ? std::filesystem::path(arguments.file).stem().string() : arguments.name;

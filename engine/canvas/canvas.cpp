@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 
@@ -178,9 +179,11 @@ void Canvas::hatch(double x, double y, double w, double h, Rgba colour, double s
   cairo_new_path(context);
   // Lines x + y = k · spacing, counted from the origin, so that neighbouring rectangles join without a seam.
   const double reach = spacing * std::numbers::sqrt2;
-  for (double k = std::floor((x + y) / reach) * reach; k <= x + y + w + h; k += reach) {
-    cairo_move_to(context, k - y, y);
-    cairo_line_to(context, k - y - h, y + h);
+  const auto last = static_cast<std::int64_t>(std::floor((x + y + w + h) / reach));
+  for (auto k = static_cast<std::int64_t>(std::floor((x + y) / reach)); k <= last; ++k) {
+    const double top = static_cast<double>(k) * reach - y;
+    cairo_move_to(context, top, y);
+    cairo_line_to(context, top - h, y + h);
   }
   stroke(context, colour, 1.0);
   cairo_restore(context);

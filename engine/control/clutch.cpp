@@ -6,7 +6,7 @@ spatial::Pose ClutchedMapping::follow(const spatial::Pose& X_DH, bool clutch_dow
   const PedalEvent pedal = pedal_.look(clutch_down, now);
   if (pedal.pressed) ++count_;
   if (clutch_down) mapping_.release();
-  const spatial::Pose setpoint = mapping_.map(X_DH);
+  spatial::Pose setpoint = mapping_.map(X_DH);
   if (pedal.released) mapping_.engage(X_DH, setpoint);
   return setpoint;
 }

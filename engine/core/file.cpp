@@ -66,8 +66,8 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t lim
 
 Result<std::filesystem::path> replaceable_file(const std::filesystem::path& path) {
   constexpr int kMostLinks = 40;  // As the kernel's own limit.
-  const auto refuse = [&path](std::string why) {
-    return tl::unexpected(Error(ErrorCode::kIo, "could not write the file (" + why + ")").at(path.string()));
+  const auto refuse = [&path](std::string_view why) {
+    return tl::unexpected(Error(ErrorCode::kIo, fmt::format("could not write the file ({})", why)).at(path.string()));
   };
   std::filesystem::path target = path;
   for (int links = 0;; ++links) {

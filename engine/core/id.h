@@ -13,7 +13,7 @@ struct Id {
   std::int64_t value = 0;
 
   explicit operator bool() const { return value != 0; }
-  // clang-tidy 14 takes the comparison with 0 inside of the defaulted operator for a null pointer.
+  // clang-tidy 14 takes the 0 inside of the defaulted operator for a null pointer.
   auto operator<=>(const Id&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 

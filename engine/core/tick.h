@@ -12,7 +12,8 @@ struct Tick {
   std::int64_t count = 0;
 
   double seconds() const { return static_cast<double>(count) / static_cast<double>(kPerSecond); }
-  auto operator<=>(const Tick&) const = default;
+  // clang-tidy 14 takes the 0 inside of the defaulted operator for a null pointer.
+  auto operator<=>(const Tick&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// The tick nearest to `seconds`; precondition: finite and below 10⁹.

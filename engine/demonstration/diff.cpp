@@ -36,7 +36,7 @@ class Deviation {
   long count_ = 0;
 };
 
-void match_ticks(SampleTrack before, SampleTrack after, Difference& difference) {
+void match_ticks(const SampleTrack& before, const SampleTrack& after, Difference& difference) {
   Deviation deviation;
   std::size_t i = 0;
   std::size_t j = 0;

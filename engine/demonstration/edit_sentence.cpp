@@ -60,7 +60,7 @@ struct Teller {
   }
   std::string operator()(const Resample& e) const { return fmt::format("Resample {} to {:g} Hz", name, e.rate_hz); }
   std::string operator()(const Retime& e) const {
-    const std::string what = fmt::format("Retime {} of {}", span(e.from_s, e.to_s), name);
+    std::string what = fmt::format("Retime {} of {}", span(e.from_s, e.to_s), name);
     switch (e.mode) {
       case RetimeTo::kScale:
         return fmt::format("{} by {:g}", what, e.scale);

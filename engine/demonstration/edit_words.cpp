@@ -78,6 +78,7 @@ class WordWriter {
       return std::to_string(value);
     } else {
       std::vector<std::string> parts;
+      parts.reserve(value.size());
       for (const auto& element : value) parts.push_back(written(element, factor));
       return fmt::format("{}", fmt::join(parts, ","));
     }

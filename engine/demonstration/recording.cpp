@@ -95,6 +95,8 @@ std::string_view to_string(Outcome outcome) {
       return "aborted";
     case Outcome::kFault:
       return "fault";
+    case Outcome::kUnknown:
+      return "unknown";
   }
   return "unknown";
 }

@@ -76,14 +76,17 @@ struct Sample {
 constexpr int kTicksPerSample = 5;
 constexpr double kSampleRate_hz = 200.0;
 
+/// In place of a block's or a peg's number: nobody said which.
+constexpr int kUnknownPlace = -1;
+
 /// Where a recording comes from; what a script made is never passed off as a person's.
 struct Provenance {
   std::string operator_kind;  ///< "scripted", "person" or "imported".
   std::string skill;          ///< Of a scripted operator: expert, trained, novice.
   std::string device;
   std::uint64_t seed = 0;
-  int block = 0;  ///< Target block and start peg, 0 … 5.
-  int goal = 0;   ///< Goal peg, 0 … 5.
+  int block = 0;  ///< Target block and start peg, 0 … 5, or `kUnknownPlace`.
+  int goal = 0;   ///< Goal peg, 0 … 5, or `kUnknownPlace`.
   std::string scene_hash;
   std::string software;  ///< "trocar 0.1.0"
   std::string created;   ///< ISO 8601, UTC.
@@ -95,8 +98,8 @@ struct HashMark {
   std::uint64_t hash = 0;
 };
 
-/// How a transfer ended (shared control, "Trial").
-enum class Outcome : std::uint8_t { kUnfinished, kSuccess, kDropped, kAborted, kFault };
+/// How a transfer ended (shared control, "Trial"); unknown where the file that it was imported from does not tell.
+enum class Outcome : std::uint8_t { kUnfinished, kSuccess, kDropped, kAborted, kFault, kUnknown };
 std::string_view to_string(Outcome outcome);
 
 /// Immutable once finished.

@@ -8,7 +8,6 @@
 namespace trocar::exchange {
 namespace {
 
-using demonstration::ArmSample;
 using demonstration::CompactPose;
 using demonstration::Sample;
 
@@ -184,7 +183,7 @@ Result<std::vector<const Column*>> columns_named(const std::vector<std::string>&
 }
 
 std::vector<std::string> lost_by_export(const demonstration::Demonstration& document) {
-  std::vector<std::string> lossy{"who recorded it and how (provenance)"};
+  std::vector<std::string> lossy{"who recorded it and how (provenance)", "its block, goal and outcome"};
   const demonstration::Recording& recording = *document.recording;
   if (!recording.initial_world.empty()) lossy.emplace_back("the simulated world before the first sample");
   if (!recording.hashes.empty()) lossy.emplace_back("the state hashes that a replay is checked against");
@@ -202,6 +201,7 @@ std::vector<std::string> lost_by_import(const std::vector<const Column*>& order)
   }
   if (!has(order, "block_0_x_m")) lossy.emplace_back("the blocks");
   if (!has(order, "segment")) lossy.emplace_back("segments (all is labelled A)");
+  lossy.emplace_back("its block, goal and outcome");
   lossy.emplace_back("a simulated world (it cannot be replayed)");
   return lossy;
 }

@@ -9,7 +9,8 @@
 namespace trocar::exchange {
 
 struct Imported {
-  demonstration::Recording recording;  ///< Provenance "imported", no initial world; at least 2 samples, checked.
+  demonstration::Recording recording;  ///< Provenance "imported", block, goal and outcome
+                                       ///< unknown, no initial world; at least 2 samples, checked.
   std::vector<std::string> lossy;      ///< What the file does not have.
 };
 

@@ -24,6 +24,9 @@ Result<Imported> RowReader::finish() {
   }
   TROCAR_RETURN_IF_ERROR(demonstration::check_samples(imported_.recording.samples));
   imported_.recording.provenance.operator_kind = "imported";
+  imported_.recording.provenance.block = demonstration::kUnknownPlace;
+  imported_.recording.provenance.goal = demonstration::kUnknownPlace;
+  imported_.recording.outcome = demonstration::Outcome::kUnknown;
   imported_.lossy = lost_by_import(order_);
   return std::move(imported_);
 }

@@ -61,7 +61,7 @@ std::string fitted(const Canvas& canvas, std::string text, const TextStyle& lett
 }
 
 void draw_horizontal_axis(Canvas& canvas, const spatial::Grid& grid, int axis, const PanelPlace& place, double unit) {
-  const Extent_mm extent = extent_mm(grid, axis);
+  const ExtentMm extent = extent_mm(grid, axis);
   const double side = grid.n * place.cell_px;
   const double bottom = place.y + side;
   const int count = std::clamp(static_cast<int>(side / (55.0 * unit)), 3, 8);
@@ -79,7 +79,7 @@ void draw_horizontal_axis(Canvas& canvas, const spatial::Grid& grid, int axis, c
 }
 
 void draw_vertical_axis(Canvas& canvas, const spatial::Grid& grid, int axis, const PanelPlace& place, double unit) {
-  const Extent_mm extent = extent_mm(grid, axis);
+  const ExtentMm extent = extent_mm(grid, axis);
   const double side = grid.n * place.cell_px;
   const int count = std::clamp(static_cast<int>(side / (55.0 * unit)), 3, 8);
   const std::vector<double> at = plot::ticks(extent.low, extent.high, count);

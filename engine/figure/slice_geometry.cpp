@@ -46,7 +46,7 @@ std::optional<FlatCell> flat_cell(const spatial::Grid& grid, const Slice& slice,
                   grid.n - 1 - c[static_cast<std::size_t>(axes.vertical)]};
 }
 
-Extent_mm extent_mm(const spatial::Grid& grid, int axis) {
+ExtentMm extent_mm(const spatial::Grid& grid, int axis) {
   const double low = grid.p_WGo[axis];
   return {spatial::to_mm(low), spatial::to_mm(low + grid.n * grid.cell_m)};
 }

@@ -28,11 +28,11 @@ spatial::CellIndex cell_at(const spatial::Grid& grid, const Slice& slice, FlatCe
 std::optional<FlatCell> flat_cell(const spatial::Grid& grid, const Slice& slice, spatial::CellIndex cell);
 
 /// Low and high edge of the lattice along an axis, in millimetres of W.
-struct Extent_mm {
+struct ExtentMm {
   double low = 0.0;
   double high = 0.0;
 };
-Extent_mm extent_mm(const spatial::Grid& grid, int axis);
+ExtentMm extent_mm(const spatial::Grid& grid, int axis);
 /// Of the middle of the slice, along its axis.
 double position_mm(const spatial::Grid& grid, const Slice& slice);
 

@@ -173,11 +173,11 @@ struct FilmOverlay::Impl {
     }
     draw_authority(canvas, caption, margin, y);
     draw_chips(canvas, caption, margin + 196.0 * unit, y);
-    double right = width - margin - 76.0 * unit;
+    const double right = width - margin - 76.0 * unit;
     draw_jaw_with_name(canvas, "right", caption.jaw_rad[1], right, y);
-    draw_jaw_with_name(canvas, "left", caption.jaw_rad[0], right -= 94.0 * unit, y);
-    draw_pedal_with_name(canvas, "clutch", caption.clutch_pedal, right -= 128.0 * unit, y);
-    draw_pedal_with_name(canvas, "agent", caption.agent_pedal, right -= 118.0 * unit, y);
+    draw_jaw_with_name(canvas, "left", caption.jaw_rad[0], right - 94.0 * unit, y);
+    draw_pedal_with_name(canvas, "clutch", caption.clutch_pedal, right - 222.0 * unit, y);
+    draw_pedal_with_name(canvas, "agent", caption.agent_pedal, right - 340.0 * unit, y);
     const double base = 78.0 * unit;
     std::string clock = clock_text(caption.time_s);
     if (caption.duration_s > 0.0) clock += " / " + clock_text(caption.duration_s);

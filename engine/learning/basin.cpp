@@ -1,6 +1,7 @@
 // All rollouts at once: the policy is a function from cell to cell, so each cell is looked at twice at most.
 #include <algorithm>
 #include <limits>
+#include <ranges>
 
 #include "engine/learning/policy.h"
 #include "engine/learning/rollout.h"
@@ -60,7 +61,7 @@ class BasinPass {
       path_.push_back(cell);
       cell += strides_[policy_[s]];
     }
-    for (auto back = path_.rbegin(); back != path_.rend(); ++back) settle(*back, end);
+    for (const std::int32_t on_path : std::views::reverse(path_)) settle(on_path, end);
   }
 
   void settle(std::int32_t cell, RolloutEnd end) {
@@ -68,7 +69,8 @@ class BasinPass {
     known_[s] = kDone;
     basin_.end[s] = end;
     if (end != RolloutEnd::kArrives || cell == model_.goal.value) return;
-    const auto next = static_cast<std::size_t>(cell + strides_[policy_[s]]);
+    const std::int32_t neighbour = cell + strides_[policy_[s]];
+    const auto next = static_cast<std::size_t>(neighbour);
     constexpr int kMost = std::numeric_limits<std::uint16_t>::max();
     basin_.steps[s] = static_cast<std::uint16_t>(std::min(kMost, basin_.steps[next] + 1));
     basin_.from_above[s] = basin_.steps[s] == kLastMoves ? straight_down(cell) : basin_.from_above[next];

@@ -21,7 +21,8 @@ std::vector<std::int32_t> successors(const spatial::Grid& grid) {
   for (int cell = 0; cell < grid.cell_count(); ++cell) {
     for (int a = 0; a < kActionCount; ++a) {
       const auto neighbour = grid.neighbour({cell}, static_cast<spatial::Action>(a));
-      next[static_cast<std::size_t>(cell * kActionCount + a)] = neighbour ? neighbour->value : cell;
+      next[static_cast<std::size_t>(cell) * kActionCount + static_cast<std::size_t>(a)] =
+          neighbour ? neighbour->value : cell;
     }
   }
   return next;

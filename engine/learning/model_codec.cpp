@@ -32,6 +32,8 @@ class Writer {
     number(static_cast<std::uint64_t>(values.size()));
     for (std::size_t i = 0; i < values.size();) {
       std::size_t end = i + 1;
+      // Bits, not numbers: -0 is not 0 here, and a NaN equals itself.
+      // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
       while (end < values.size() && std::memcmp(&values[end], &values[i], sizeof(T)) == 0) ++end;
       number(static_cast<std::uint32_t>(end - i));
       number(values[i]);

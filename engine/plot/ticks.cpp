@@ -33,7 +33,7 @@ bool is_zero_or_power(double value) {
   return std::abs(exponent - std::round(exponent)) < 1e-9;
 }
 
-std::string with_true_minus(std::string text) {
+std::string with_true_minus(std::string_view text) {
   std::string out;
   for (const char c : text) {
     if (c == '-') {
@@ -98,7 +98,7 @@ std::string format_tick(double value, double step) {
   const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(gap) + 1e-9)), 0, 12);
   std::string text = fmt::format("{:.{}f}", value, decimals);
   if (text.find_first_of("123456789") == std::string::npos) return std::string(1, '0');
-  return with_true_minus(std::move(text));
+  return with_true_minus(text);
 }
 
 std::vector<std::string> format_ticks(const Scale& scale, const std::vector<double>& values) {
@@ -106,6 +106,7 @@ std::vector<std::string> format_ticks(const Scale& scale, const std::vector<doub
   for (std::size_t i = 1; i < values.size(); ++i) gap = std::min(gap, std::abs(values[i] - values[i - 1]));
   std::vector<std::string> out;
   const bool powers = scale.kind == ScaleKind::kSymlog && std::all_of(values.begin(), values.end(), is_zero_or_power);
+  out.reserve(values.size());
   for (const double v : values) out.push_back(format_tick(v, powers && v != 0.0 ? std::abs(v) : gap));
   return out;
 }

@@ -21,8 +21,8 @@ struct Ring {
 };
 
 void add_vertex(Mesh& mesh, const Vector3d& position, const Vector3d& normal, const std::optional<Rgba>& colour) {
-  mesh.positions.push_back(position.cast<float>());
-  mesh.normals.push_back(normal.cast<float>());
+  mesh.positions.emplace_back(position.cast<float>());
+  mesh.normals.emplace_back(normal.cast<float>());
   if (colour) mesh.colours.push_back(*colour);
 }
 
@@ -101,7 +101,7 @@ Mesh unit_cube() {
       const Vector3f b = Vector3f::Unit((axis + 2) % 3);
       const auto first = static_cast<std::uint32_t>(mesh.positions.size());
       for (const Vector3f& corner : {Vector3f(-a - b), Vector3f(a - b), Vector3f(a + b), Vector3f(-a + b)}) {
-        mesh.positions.push_back(0.5F * (n + corner));
+        mesh.positions.emplace_back(0.5F * (n + corner));
         mesh.normals.push_back(n);
       }
       mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});

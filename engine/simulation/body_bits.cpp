@@ -35,10 +35,11 @@ bool plausible(const BodyBits& bits) {
   const Eigen::Quaterniond q(bits.quaternion[0], bits.quaternion[1], bits.quaternion[2], bits.quaternion[3]);
   if (!(std::abs(q.norm() - 1.0) <= 1e-9)) return false;
   const Eigen::Matrix3d R = q.toRotationMatrix();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      const double expected = column < 3 ? R(row, column) : 0.0;
-      if (!(std::abs(bits.rotation[static_cast<std::size_t>(4 * row + column)] - expected) <= 1e-9)) return false;
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column) {
+      const auto at = [](std::size_t index) { return static_cast<Eigen::Index>(index); };
+      const double expected = column < 3 ? R(at(row), at(column)) : 0.0;
+      if (!(std::abs(bits.rotation[4 * row + column] - expected) <= 1e-9)) return false;
     }
   }
   return true;

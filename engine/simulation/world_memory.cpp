@@ -127,21 +127,21 @@ bool plausible_pose(const spatial::Pose& pose) {
 }
 
 Status check(const WorldMemory& memory) {
-  const Status damaged = fail(ErrorCode::kInvalidArgument, "the snapshot is damaged");
-  if (memory.tick < 0 || memory.strained < 0) return damaged;
+  const auto damaged = [] { return fail(ErrorCode::kInvalidArgument, "the snapshot is damaged"); };
+  if (memory.tick < 0 || memory.strained < 0) return damaged();
   for (const kinematics::ArmSide side : kinematics::kArmSides) {
     const ArmMemory& arm = memory.arms[kinematics::index_of(side)];
     const kinematics::PsmModel model = kinematics::psm_model(side);
-    if (!plausible_pose(arm.setpoint.X_WT) || !plausible_pose(arm.X_WT)) return damaged;
-    if (!(arm.setpoint.jaw_rad >= model.jaw.low && arm.setpoint.jaw_rad <= model.jaw.high)) return damaged;
-    if (!kinematics::check_limits(model, arm.joints)) return damaged;
-    if (!kinematics::check_limits(model, arm.setpoint_joints)) return damaged;
+    if (!plausible_pose(arm.setpoint.X_WT) || !plausible_pose(arm.X_WT)) return damaged();
+    if (!(arm.setpoint.jaw_rad >= model.jaw.low && arm.setpoint.jaw_rad <= model.jaw.high)) return damaged();
+    if (!kinematics::check_limits(model, arm.joints)) return damaged();
+    if (!kinematics::check_limits(model, arm.setpoint_joints)) return damaged();
     for (const BodyBits& jaw : arm.jaws) {
-      if (!plausible(jaw) || (from_ode(jaw.position.data()) - arm.X_WT.p).norm() > kJawFromTip_m) return damaged;
+      if (!plausible(jaw) || (from_ode(jaw.position.data()) - arm.X_WT.p).norm() > kJawFromTip_m) return damaged();
     }
   }
   for (const BlockMemory& block : memory.blocks) {
-    if (!plausible(block.body) || block.rest_ticks < 0) return damaged;
+    if (!plausible(block.body) || block.rest_ticks < 0) return damaged();
   }
   return {};
 }

@@ -24,7 +24,7 @@ Eigen::Vector3d Tremor::next() {
   const double x = random_.normal();
   const double y = random_.normal();
   const double z = random_.normal();
-  const Eigen::Vector3d now = a1 * last_ + a2 * before_ + gain * Eigen::Vector3d(x, y, z);
+  Eigen::Vector3d now = a1 * last_ + a2 * before_ + gain * Eigen::Vector3d(x, y, z);
   before_ = last_;
   last_ = now;
   return now;

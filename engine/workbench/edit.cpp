@@ -82,9 +82,10 @@ struct Application {
 
   Result<Project> operator()(const AddModel& edit) const {
     TROCAR_ASSIGN_OR_RETURN(ModelEntry entry, blobs.model(edit.object));
-    entry.id = ModelId{new_id};
+    const ModelId id{new_id};
+    entry.id = id;
     Project edited = project;
-    edited.models[entry.id] = std::make_shared<const ModelEntry>(std::move(entry));
+    edited.models[id] = std::make_shared<const ModelEntry>(std::move(entry));
     return edited;
   }
 

@@ -57,7 +57,7 @@ void LiveRunner::show(std::int64_t samples, double wall_s) {
 }
 
 bool LiveRunner::hand_over(LiveBatch batch, const std::stop_token& stop) {
-  while (!batches_.push(std::move(batch))) {
+  while (!batches_.push(std::move(batch))) {  // NOLINT(bugprone-use-after-move): moved only where there is room
     if (stop.stop_requested()) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the main thread is behind; nothing may be lost
   }

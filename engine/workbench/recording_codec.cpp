@@ -77,8 +77,8 @@ bool parse_hex(const std::string& text, std::uint64_t& value) {
 }
 
 bool parse_outcome(const std::string& text, Outcome& outcome) {
-  for (const Outcome candidate :
-       {Outcome::kUnfinished, Outcome::kSuccess, Outcome::kDropped, Outcome::kAborted, Outcome::kFault}) {
+  for (const Outcome candidate : {Outcome::kUnfinished, Outcome::kSuccess, Outcome::kDropped, Outcome::kAborted,
+                                  Outcome::kFault, Outcome::kUnknown}) {
     if (text == to_string(candidate)) {
       outcome = candidate;
       return true;

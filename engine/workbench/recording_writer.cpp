@@ -59,6 +59,7 @@ Result<RecordingWriter> RecordingWriter::begin(store::ProjectStore& store, const
     TROCAR_ASSIGN_OR_RETURN(id, store.begin_recording(header));
     return store.append_chunk(id, {0, initial_world});
   }));
+  // NOLINTNEXTLINE(modernize-make-unique): clang 14 cannot make an aggregate so
   return RecordingWriter(std::unique_ptr<Impl>(
       new Impl{.store = store, .id = {id}, .provenance = stored, .initial_world = initial_world}));
 }

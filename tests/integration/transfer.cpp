@@ -174,7 +174,10 @@ TEST_CASE("long: an expert places every block on every goal for seeds 1 to 50" *
   CHECK(count_placed(Skill::kExpert, 1, 50, -1.0, true) == 50);
 }
 
-TEST_CASE("long: with an aim jitter of 0.5 mm 100 of 100 are placed, of 1 mm at least 98" * doctest::skip()) {
+TEST_CASE("long: with an aim jitter of 0.5 mm 100 of 100 are placed" * doctest::skip()) {
   CHECK(count_placed(Skill::kExpert, 1, 100, 0.5e-3, false) == 100);
+}
+
+TEST_CASE("long: with an aim jitter of 1 mm at least 98 of 100 are placed" * doctest::skip()) {
   CHECK(count_placed(Skill::kExpert, 1, 100, 1.0e-3, false) >= 98);
 }

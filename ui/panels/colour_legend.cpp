@@ -56,7 +56,9 @@ void draw_hatch(Ui& ui, const Rect& rect) {
   list.AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(ui.theme().header));
   list.PushClipRect({rect.x0, rect.y0}, {rect.x1, rect.y1}, true);
   const float step = ui.px(7);
-  for (float x = rect.x0 - rect.height(); x < rect.x1; x += step) {
+  const int lines = static_cast<int>(std::ceil((rect.width() + rect.height()) / step));
+  for (int i = 0; i < lines; ++i) {
+    const float x = rect.x0 - rect.height() + static_cast<float>(i) * step;
     list.AddLine({x, rect.y1}, {x + rect.height(), rect.y0}, to_u32(ui.theme().line), 1.0F);
   }
   list.PopClipRect();

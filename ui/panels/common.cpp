@@ -111,6 +111,7 @@ Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome) {
     case Outcome::kSuccess:
       return theme.good;
     case Outcome::kUnfinished:
+    case Outcome::kUnknown:
       return theme.text_dim;
     case Outcome::kAborted:
       return theme.warning;
@@ -128,7 +129,12 @@ std::string outcome_words(const demonstration::Recording& recording) {
 
 const char* outcome_sign(demonstration::Outcome outcome) {
   if (outcome == demonstration::Outcome::kSuccess) return icon::kVerify;
+  if (outcome == demonstration::Outcome::kUnknown) return icon::kHelp;
   return outcome == demonstration::Outcome::kUnfinished ? icon::kClock : icon::kCross;
+}
+
+std::string place_words(int place) {
+  return place == demonstration::kUnknownPlace ? "unknown" : std::to_string(place);
 }
 
 std::string provenance_words(const demonstration::Provenance& provenance) {

@@ -29,6 +29,9 @@ Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome);
 /// "placed", "dropped" …: the outcome in one word; its sign makes it more than a colour.
 std::string outcome_words(const demonstration::Recording& recording);
 const char* outcome_sign(demonstration::Outcome outcome);
+
+/// A block's or a peg's number, or "unknown".
+std::string place_words(int place);
 /// "scripted expert", "imported".
 std::string provenance_words(const demonstration::Provenance& provenance);
 

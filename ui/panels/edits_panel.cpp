@@ -33,8 +33,8 @@ std::string likely(const EditOption& option, const Demonstration& shown, double 
   if (option.option == "from") return fmt::format("{:.3f}", shown.begin_s);
   if (option.option == "to") return fmt::format("{:.3f}", shown.end_s);
   if (option.option == "at") return fmt::format("{:.3f}", playhead_s);
-  if (option.option == "block") return std::to_string(shown.block);
-  if (option.option == "goal") return std::to_string(shown.goal);
+  if (option.option == "block" && shown.block != demonstration::kUnknownPlace) return std::to_string(shown.block);
+  if (option.option == "goal" && shown.goal != demonstration::kUnknownPlace) return std::to_string(shown.goal);
   return option.text;
 }
 

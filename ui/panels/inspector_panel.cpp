@@ -19,7 +19,7 @@ void draw_provenance(Ui& ui, const demonstration::Recording& recording) {
   fact(ui, "Made by", provenance_words(origin));
   if (!origin.device.empty()) fact(ui, "Device", origin.device);
   fact(ui, "Seed", std::to_string(origin.seed));
-  fact(ui, "Block, goal", fmt::format("{}, {}", origin.block, origin.goal));
+  fact(ui, "Block, goal", fmt::format("{}, {}", place_words(origin.block), place_words(origin.goal)));
   if (!origin.created.empty()) fact(ui, "Recorded", shown_time(origin.created));
   if (!origin.software.empty()) fact(ui, "With", origin.software);
   if (!origin.scene_hash.empty()) fact(ui, "Scene", origin.scene_hash);

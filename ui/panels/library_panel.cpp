@@ -212,7 +212,8 @@ void LibraryPanel::draw_demonstrations(Ui& ui, const WorkbenchState& state, bool
       ImGui::TextUnformatted(shown->name.c_str());
       draw_demonstration_cells(ui, *shown);
     } else {
-      clicked = card(ui, name, selected, summary(*shown), [&](float width) { draw_card(ui, *shown, width); });
+      clicked = card(ui, name, selected, summary(*shown),
+                     [&ui, &shown = shown](float width) { draw_card(ui, *shown, width); });
     }
     ImGui::PopID();
     if (clicked && !selected) requests.emplace_back(workbench::Command{workbench::SelectDemonstration{id}});
@@ -289,7 +290,7 @@ void LibraryPanel::draw_models(Ui& ui, const WorkbenchState& state, bool wide, R
       ImGui::TextUnformatted(entry->name.c_str());
       draw_model_cells(ui, *entry, stale, arrival);
     } else {
-      clicked = card(ui, name, selected, stale ? "stale" : "up to date", [&](float width) {
+      clicked = card(ui, name, selected, stale ? "stale" : "up to date", [&, &entry = entry](float width) {
         draw_model_card(ui, *entry, stale, arrival.empty() ? arrival : arrival + " arrive", width);
       });
     }

@@ -111,7 +111,7 @@ void draw_segments(Lanes& lanes, Ui& ui, const LaneLayout& layout, const demonst
     const double begin_s = std::max(span.begin_s, layout.gate_in_s);
     const double end_s = std::min(span.end_s, layout.gate_out_s);
     const std::string length = seconds(std::max(end_s - begin_s, 0.0));
-    lanes.block(span.begin_s, span.end_s, segment_colour(span.label), letter + "  " + length, letter);
+    lanes.block(span.begin_s, span.end_s, segment_colour(span.label), fmt::format("{}  {}", letter, length), letter);
     if (end_s <= begin_s) continue;
     const float x0 = std::clamp(layout.x_of(begin_s), layout.lanes.x0, layout.lanes.x1);
     const float x1 = std::clamp(layout.x_of(end_s), layout.lanes.x0, layout.lanes.x1);

@@ -72,6 +72,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit)
   const Sample to = document.samples[last];
   const std::vector<std::size_t> arms = indices_of(edit.arms);
   std::vector<Polyline> lines;
+  lines.reserve(arms.size());
   for (const std::size_t arm : arms) {
     lines.push_back(line_of(from, to, arm, arm == arms.front() ? edit.via_m : std::vector<Eigen::Vector3d>{}));
   }

@@ -93,6 +93,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Resample& edi
   }
   const std::vector<Sample> samples = document.samples.to_vector();
   std::vector<double> ticks;
+  ticks.reserve(samples.size());
   for (const Sample& sample : samples) ticks.push_back(static_cast<double>(sample.tick - samples.front().tick));
   Demonstration edited = document;
   edited.samples = SampleTrack(on_grid(samples, ticks, std::llround(step)));

@@ -8,7 +8,7 @@
 extern "C" {
 
 /// Nothing here throws. Pictures are rows of straight RGBA from the top. `int` results: 1 done, 0 not.
-struct trocar_media_api {
+struct trocar_media_api {  // NOLINT(readability-identifier-naming): a C name for a C seam
   /// Null if this machine cannot write it. Containers go by the path's extension.
   void* (*writer_open)(const char* path, const char* fourcc, double fps, int width, int height);
   int (*writer_add)(void* writer, const std::uint8_t* rgba);

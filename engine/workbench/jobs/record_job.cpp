@@ -31,7 +31,7 @@ std::string demonstration_name(const Project& project, trial::Skill skill) {
   std::string word(trial::to_string(skill));
   word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
   for (int number = 1;; ++number) {
-    const std::string name = fmt::format("{} {}", word, number);
+    std::string name = fmt::format("{} {}", word, number);
     if (!name_taken(project, name)) return name;
   }
 }

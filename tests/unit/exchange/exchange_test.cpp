@@ -109,6 +109,17 @@ TEST_CASE("time and setpoints are enough, and what is missing is listed") {
   CHECK(std::find(read.lossy.begin(), read.lossy.end(), "the blocks") != read.lossy.end());
 }
 
+TEST_CASE("an import claims no block, goal or outcome that its file does not tell") {
+  const std::string text = minimal_header() + "\n" + minimal_row("0") + "\n" + minimal_row("0.02") + "\n";
+  const Imported read = from_csv(text).value();
+  CHECK(read.recording.provenance.block == demonstration::kUnknownPlace);
+  CHECK(read.recording.provenance.goal == demonstration::kUnknownPlace);
+  CHECK(read.recording.outcome == demonstration::Outcome::kUnknown);
+  CHECK(std::find(read.lossy.begin(), read.lossy.end(), "its block, goal and outcome") != read.lossy.end());
+  const std::vector<std::string> left_out = lost_by_export(odd_demonstration(3));
+  CHECK(std::find(left_out.begin(), left_out.end(), "its block, goal and outcome") != left_out.end());
+}
+
 TEST_CASE("columns may come in any order") {
   const Demonstration document = odd_demonstration(3);
   std::string header;
