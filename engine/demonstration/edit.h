@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -12,6 +13,8 @@
 #include "engine/demonstration/recording.h"
 
 namespace trocar::demonstration {
+
+struct Clip;
 
 // Times are seconds of the demonstration that the edit is applied to (0 = the recording's first sample). `kName` is the
 // word for the edit in files and on the command line, `kHelp` one line for people.
@@ -62,6 +65,24 @@ struct DeleteSpan {
   double from_s = 0.0;
   double to_s = 0.0;
   bool ripple = true;  ///< What follows moves up; false: a gap stays, to be bridged.
+};
+
+/// Where a clip's arms go: as they were, translated so that each goes on from where it is, or from the source's start
+/// peg to this demonstration's.
+enum class Align : std::uint8_t { kAsRecorded, kMeet, kPeg };
+/// Puts a run of this or of another demonstration in; what follows moves.
+struct Splice {
+  static constexpr std::string_view kName = "splice";
+  static constexpr std::string_view kHelp = "Put in a run of this or of another demonstration";
+  std::int64_t source = 0;   ///< The demonstration that it is taken from.
+  double clip_from_s = 0.0;  ///< Times of the source.
+  double clip_to_s = 0.0;
+  double at_s = 0.0;
+  double until_s = 0.0;  ///< The clip replaces what lies between; 0: nothing.
+  Align align = Align::kMeet;
+  std::int64_t as_of = 0;  ///< The point of the project's history at which the source is meant; 0: now.
+  /// What the source was then. Not stored: found again from the history, and null until it is.
+  std::shared_ptr<const Clip> clip;
 };
 
 enum class Arms : std::uint8_t { kLeft, kRight, kBoth };
@@ -220,9 +241,9 @@ struct RemoveNote {
   std::int64_t note = 0;
 };
 
-using Edit = std::variant<Trim, TrimIdle, Rename, LabelSegment, ProposeLabels, DeleteSpan, Bridge, MoveTool, RotateTool,
-                          Offset, Smooth, Simplify, Resample, Retime, SnapToGrid, SetJaw, Mirror, Retarget, Perturb,
-                          Revert, AddNote, RemoveNote>;
+using Edit = std::variant<Trim, TrimIdle, Rename, LabelSegment, ProposeLabels, DeleteSpan, Splice, Bridge, MoveTool,
+                          RotateTool, Offset, Smooth, Simplify, Resample, Retime, SnapToGrid, SetJaw, Mirror, Retarget,
+                          Perturb, Revert, AddNote, RemoveNote>;
 
 /// The edit's name and its parameters as a JSON object; the row of the journal.
 std::string_view name_of(const Edit& edit);

@@ -19,6 +19,12 @@ std::span<const Word> words_of<Arms>() {
 }
 
 template <>
+std::span<const Word> words_of<Align>() {
+  static constexpr std::array<Word, 3> kWords{"as-recorded", "meet", "peg"};
+  return kWords;
+}
+
+template <>
 std::span<const Word> words_of<BridgeShape>() {
   static constexpr std::array<Word, 2> kWords{"straight", "minimum-jerk"};
   return kWords;

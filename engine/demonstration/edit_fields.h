@@ -26,6 +26,8 @@ std::span<const std::string_view> words_of<Segment>();
 template <>
 std::span<const std::string_view> words_of<Arms>();
 template <>
+std::span<const std::string_view> words_of<Align>();
+template <>
 std::span<const std::string_view> words_of<BridgeShape>();
 template <>
 std::span<const std::string_view> words_of<Falloff>();
@@ -80,6 +82,16 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"from_s", "Begin"}, edit.from_s);
   visitor.field(Field{"to_s", "End"}, edit.to_s);
   visitor.field(Field{"ripple", "Close the gap"}, edit.ripple);
+}
+template <typename Visitor, Of<Splice> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"source", "The demonstration to take it from"}, edit.source);
+  visitor.field(Field{"clip_from_s", "Where it begins there"}, edit.clip_from_s);
+  visitor.field(Field{"clip_to_s", "Where it ends there"}, edit.clip_to_s);
+  visitor.field(Field{"at_s", "Where it goes"}, edit.at_s);
+  visitor.field(Field{"until_s", "It replaces what lies up to here; 0: nothing"}, edit.until_s);
+  visitor.field(Field{"align", "Where the arms go"}, edit.align);
+  visitor.field(Field{"as_of", "The point of the history at which the source is meant; 0: now"}, edit.as_of);
 }
 template <typename Visitor, Of<Bridge> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {

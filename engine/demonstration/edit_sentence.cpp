@@ -36,6 +36,10 @@ struct Teller {
   std::string operator()(const DeleteSpan& e) const {
     return fmt::format("{} {} of {}", e.ripple ? "Delete" : "Lift", span(e.from_s, e.to_s), name);
   }
+  std::string operator()(const Splice& e) const {
+    return fmt::format("Put {} of demonstration {} into {} at {:.2f} s", span(e.clip_from_s, e.clip_to_s), e.source,
+                       name, e.at_s);
+  }
   std::string operator()(const Bridge& e) const {
     return fmt::format("Bridge {} of {}, {}", span(e.from_s, e.to_s), tools(e.arms, name),
                        words_of<BridgeShape>()[static_cast<std::size_t>(e.shape)]);

@@ -1,8 +1,10 @@
 /// Recordings and models of a project, read from the store once and then shared.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "engine/store/project_store.h"
 #include "engine/workbench/edit.h"
@@ -20,12 +22,18 @@ class BlobCache final : public BlobSource {
   /// Errors: kNotFound; kCorrupt for one that is unfinished or does not match its own hash.
   Result<std::shared_ptr<const demonstration::Recording>> recording(demonstration::RecordingId id) const override;
   Result<ModelEntry> model(std::int64_t object) const override;
+  Result<std::shared_ptr<const Project>> project_at(std::int64_t node) const override { return past_(node); }
+
+  using Past = std::function<Result<std::shared_ptr<const Project>>(std::int64_t node)>;
+  /// Who knows the history; before that, no `project_at`.
+  void find_past_with(Past past) { past_ = std::move(past); }
   /// After a transaction was rolled back: its number will be given again, to other content.
   void forget(demonstration::RecordingId id) { recordings_.erase(id); }
   void forget_model(std::int64_t object) { models_.erase(object); }
 
  private:
   const store::ProjectStore& store_;
+  Past past_;
   bool describe_only_ = false;
   // Kept as long as the project is open: undo and redo may need any of them again within a frame.
   mutable std::map<demonstration::RecordingId, std::shared_ptr<const demonstration::Recording>> recordings_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/demonstration/clip.h"
 #include "engine/demonstration/edit_sentence.h"
 #include "engine/demonstration/name.h"
 
@@ -48,7 +49,41 @@ struct Application {
   Result<Project> operator()(const EditDemonstration& edit) const {
     const auto found = project.demonstrations.find(edit.demonstration);
     if (found == project.demonstrations.end()) return no_demonstration(edit.demonstration);
-    return with(edit.demonstration, demonstration::apply(*found->second, edit.edit, new_id));
+    TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(edit.edit, project, blobs, new_id));
+    return with(edit.demonstration, demonstration::apply(*found->second, whole, new_id));
+  }
+
+  /// Entries of one journal row get ids that no other row's have.
+  std::int64_t entry_id(std::size_t nth) const { return new_id + (static_cast<std::int64_t>(nth) << 32); }
+
+  Result<Project> operator()(const CopyDemonstration& edit) const {
+    TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
+    const auto found = project.demonstrations.find(edit.demonstration);
+    if (found == project.demonstrations.end()) return no_demonstration(edit.demonstration);
+    Demonstration copy = *found->second;
+    copy.id = DemonstrationId{new_id};
+    copy.name = edit.name;
+    for (std::size_t i = 0; i < edit.edits.size(); ++i) {
+      TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(edit.edits[i], project, blobs, new_id));
+      TROCAR_ASSIGN_OR_RETURN(copy, demonstration::apply(copy, whole, entry_id(i)));
+    }
+    return with(copy.id, std::move(copy));
+  }
+
+  Result<Project> operator()(const SplitDemonstration& edit) const {
+    const auto found = project.demonstrations.find(edit.demonstration);
+    if (found == project.demonstrations.end()) return no_demonstration(edit.demonstration);
+    const Demonstration& whole = *found->second;
+    if (!(edit.at_s > whole.begin_s && edit.at_s < whole.end_s)) {
+      return fail(ErrorCode::kInvalidArgument, fmt::format("{} can only be split between {:.2f} and {:.2f} s",
+                                                           whole.name, whole.begin_s, whole.end_s));
+    }
+    const CopyDemonstration second{edit.demonstration, edit.name, {demonstration::Trim{edit.at_s, whole.end_s}}};
+    TROCAR_ASSIGN_OR_RETURN(Project edited, (*this)(second));
+    TROCAR_ASSIGN_OR_RETURN(Demonstration first,
+                            demonstration::apply(whole, demonstration::Trim{whole.begin_s, edit.at_s}, entry_id(1)));
+    edited.demonstrations[edit.demonstration] = std::make_shared<const Demonstration>(std::move(first));
+    return edited;
   }
 
   /// `change` makes another stack of the demonstration's.
@@ -68,8 +103,9 @@ struct Application {
                      [&](const EditStack& stack) { return entry_enabled(stack, edit.entry, edit.enabled); });
   }
   Result<Project> operator()(const ReplaceStackEntry& edit) const {
+    TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(edit.edit, project, blobs, new_id));
     return restacked(edit.demonstration,
-                     [&](const EditStack& stack) { return entry_replaced(stack, edit.entry, edit.edit); });
+                     [&](const EditStack& stack) { return entry_replaced(stack, edit.entry, whole); });
   }
   Result<Project> operator()(const NameStackEntry& edit) const {
     if (!edit.name.empty()) TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
@@ -108,6 +144,12 @@ struct Description {
   std::string operator()(const AddDemonstration& edit) const { return fmt::format("Add {}", edit.name); }
   std::string operator()(const RemoveDemonstration& edit) const {
     return fmt::format("Remove {}", name(edit.demonstration));
+  }
+  std::string operator()(const CopyDemonstration& edit) const {
+    return fmt::format("Copy {} as {}", name(edit.demonstration), edit.name);
+  }
+  std::string operator()(const SplitDemonstration& edit) const {
+    return fmt::format("Split {} at {:.2f} s, the rest is {}", name(edit.demonstration), edit.at_s, edit.name);
   }
   std::string operator()(const AddModel& edit) const { return fmt::format("Add model {}", edit.object); }
   std::string operator()(const RemoveModel& edit) const {
@@ -154,6 +196,30 @@ Result<std::shared_ptr<const Project>> apply(const Project& project, const Edit&
                                              const BlobSource& blobs) {
   TROCAR_ASSIGN_OR_RETURN(Project edited, std::visit(Application{project, new_id, blobs}, edit));
   return std::make_shared<const Project>(std::move(edited));
+}
+
+Result<DemonstrationEdit> resolved(DemonstrationEdit edit, const Project& before, const BlobSource& blobs,
+                                   std::int64_t new_id) {
+  auto* splice = std::get_if<demonstration::Splice>(&edit);
+  if (splice == nullptr) return edit;
+  const DemonstrationId source{splice->source};
+  const auto clip_from = [&](const Project& project) -> Status {
+    const auto found = project.demonstrations.find(source);
+    if (found == project.demonstrations.end()) return no_demonstration(source);
+    TROCAR_ASSIGN_OR_RETURN(demonstration::Clip clip,
+                            demonstration::clip_of(*found->second, splice->clip_from_s, splice->clip_to_s));
+    splice->clip = std::make_shared<const demonstration::Clip>(std::move(clip));
+    return {};
+  };
+  if (splice->as_of == 0) {
+    TROCAR_RETURN_IF_ERROR(clip_from(before));
+  } else if (splice->as_of < 0 || splice->as_of >= new_id) {
+    return fail(ErrorCode::kNotFound, fmt::format("the history has no point {} before this one", splice->as_of));
+  } else {
+    TROCAR_ASSIGN_OR_RETURN(const std::shared_ptr<const Project> then, blobs.project_at(splice->as_of));
+    TROCAR_RETURN_IF_ERROR(clip_from(*then));
+  }
+  return edit;
 }
 
 std::string_view name_of(const Edit& edit) {

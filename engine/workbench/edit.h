@@ -29,6 +29,23 @@ struct EditDemonstration {
   demonstration::Edit edit;
 };
 
+/// Another demonstration with the same recording and the same edits, and then `edits`; its id is the journal row's id.
+/// One of one edit, "perturb", is how one demonstration becomes several.
+struct CopyDemonstration {
+  static constexpr std::string_view kName = "copy demonstration";
+  DemonstrationId demonstration;
+  std::string name;
+  std::vector<demonstration::Edit> edits;
+};
+
+/// Makes two of one: the gates of the first end where those of the second, which is new, begin.
+struct SplitDemonstration {
+  static constexpr std::string_view kName = "split demonstration";
+  DemonstrationId demonstration;
+  double at_s = 0.0;
+  std::string name;  ///< Of the second.
+};
+
 /// Changes the stack of a demonstration: what was done to it, afterwards.
 struct MoveStackEntry {
   static constexpr std::string_view kName = "move edit";
@@ -71,22 +88,31 @@ struct RemoveModel {
   ModelId model;
 };
 
-using Edit = std::variant<AddDemonstration, RemoveDemonstration, EditDemonstration, MoveStackEntry, EnableStackEntry,
-                          ReplaceStackEntry, NameStackEntry, RemoveStackEntry, AddModel, RemoveModel>;
+using Edit = std::variant<AddDemonstration, RemoveDemonstration, EditDemonstration, CopyDemonstration,
+                          SplitDemonstration, MoveStackEntry, EnableStackEntry, ReplaceStackEntry, NameStackEntry,
+                          RemoveStackEntry, AddModel, RemoveModel>;
 
-/// Where `apply` finds the immutable blobs that edits name by id.
+/// Where `apply` finds what edits name by id and what never changes: blobs, and the past.
 class BlobSource {
  public:
   virtual ~BlobSource() = default;
   virtual Result<std::shared_ptr<const demonstration::Recording>> recording(demonstration::RecordingId id) const = 0;
   /// An entry without id; the edit gives it one.
   virtual Result<ModelEntry> model(std::int64_t object) const = 0;
+  /// The project as it was at a node of its history. Errors: kNotFound.
+  virtual Result<std::shared_ptr<const Project>> project_at(std::int64_t node) const = 0;
 };
 
 /// Returns the edited project; `project` is untouched. `new_id` is the id for what the edit adds.
 /// Errors: kNotFound for an unknown id; those of `demonstration::apply` and `demonstration::with_stack`.
 Result<std::shared_ptr<const Project>> apply(const Project& project, const Edit& edit, std::int64_t new_id,
                                              const BlobSource& blobs);
+
+/// The edit with what it takes from other demonstrations found, so that it can be applied and kept; `before` is the
+/// project that it is for and `new_id` the id that it will have. Errors: kNotFound for an unknown demonstration or
+/// point of the history; those of `clip_of`.
+Result<demonstration::Edit> resolved(demonstration::Edit edit, const Project& before, const BlobSource& blobs,
+                                     std::int64_t new_id);
 
 std::string_view name_of(const Edit& edit);
 /// For the history: "Trim Expert 1 to 0.40–12.30 s".

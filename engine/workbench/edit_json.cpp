@@ -31,6 +31,14 @@ struct Printer {
   json operator()(const EditDemonstration& edit) const {
     return with_edit({{"demonstration", edit.demonstration.value}}, edit.edit);
   }
+  json operator()(const CopyDemonstration& edit) const {
+    json list = json::array();
+    for (const demonstration::Edit& each : edit.edits) list.push_back(with_edit(json::object(), each));
+    return {{"demonstration", edit.demonstration.value}, {"name", edit.name}, {"edits", std::move(list)}};
+  }
+  json operator()(const SplitDemonstration& edit) const {
+    return {{"demonstration", edit.demonstration.value}, {"at_s", edit.at_s}, {"name", edit.name}};
+  }
   json operator()(const MoveStackEntry& edit) const {
     json object = entry_of(edit);
     object["place"] = edit.place;
@@ -88,6 +96,28 @@ Result<Edit> edit_demonstration(const json& object) {
   return EditDemonstration{DemonstrationId{id}, std::move(edit)};
 }
 
+Result<Edit> copy_demonstration(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
+  TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(object, "name"));
+  const auto list = object.find("edits");
+  if (list == object.end() || !list->is_array()) return corrupt("the parameter edits must be there and be a list");
+  CopyDemonstration copy{DemonstrationId{id}, std::move(name), {}};
+  for (const json& each : *list) {
+    if (!each.is_object()) return corrupt("each of the edits must be a JSON object");
+    TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit, inner_edit(each));
+    copy.edits.push_back(std::move(edit));
+  }
+  return copy;
+}
+
+Result<Edit> split_demonstration(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
+  TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(object, "name"));
+  const auto at = object.find("at_s");
+  if (at == object.end() || !at->is_number()) return corrupt("the parameter at_s must be there and be a number");
+  return SplitDemonstration{DemonstrationId{id}, at->get<double>(), std::move(name)};
+}
+
 /// The edits of a stack: all name a demonstration and an entry of it.
 Result<Edit> stack_edit(std::string_view name, const json& object) {
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t demonstration, id_at(object, "demonstration"));
@@ -126,6 +156,8 @@ Result<Edit> edit_from_json(std::string_view name, std::string_view text) {
   if (!object.is_object()) return corrupt("the parameters of an edit must be a JSON object");
   if (name == AddDemonstration::kName) return add_demonstration(object);
   if (name == EditDemonstration::kName) return edit_demonstration(object);
+  if (name == CopyDemonstration::kName) return copy_demonstration(object);
+  if (name == SplitDemonstration::kName) return split_demonstration(object);
   if (name == MoveStackEntry::kName || name == EnableStackEntry::kName || name == ReplaceStackEntry::kName ||
       name == NameStackEntry::kName || name == RemoveStackEntry::kName) {
     return stack_edit(name, object);

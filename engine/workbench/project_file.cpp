@@ -36,7 +36,9 @@ std::string said(const Edit& edit, const Project& before, const Project& after, 
 
 struct ProjectFile::Impl {
   Impl(store::ProjectStore opened, std::shared_ptr<const Clock> wall)
-      : store(std::move(opened)), clock(std::move(wall)) {}
+      : store(std::move(opened)), clock(std::move(wall)) {
+    blobs.find_past_with([this](std::int64_t node) { return past(node); });
+  }
 
   store::ProjectStore store;
   std::shared_ptr<const Clock> clock;
@@ -55,6 +57,7 @@ struct ProjectFile::Impl {
   Status catch_up();
   Result<ProjectPointer> step(const ProjectPointer& before, std::int64_t node) const;
   Result<ProjectPointer> document_at(std::int64_t node);
+  Result<ProjectPointer> past(std::int64_t node);
   void keep(std::int64_t node, const ProjectPointer& document);
   Status load();
   std::vector<store::RedoRow> redo_back_from(std::int64_t node) const;
@@ -137,6 +140,16 @@ Result<ProjectPointer> ProjectFile::Impl::document_at(std::int64_t node) {
     TROCAR_ASSIGN_OR_RETURN(document, step(document, next));
     keep(next, document);
   }
+  return document;
+}
+
+/// For edits that take from the past. Kept, or a chain of such edits would be gone through again at every link.
+Result<ProjectPointer> ProjectFile::Impl::past(std::int64_t node) {
+  if (!tree.contains(node)) {
+    return fail(ErrorCode::kNotFound, fmt::format("the history has no point {}", node));
+  }
+  TROCAR_ASSIGN_OR_RETURN(ProjectPointer document, document_at(node));
+  keyframes[node] = document;
   return document;
 }
 
@@ -370,6 +383,10 @@ Result<std::optional<std::string>> ProjectFile::setting(const std::string& key) 
 
 std::int64_t ProjectFile::size_bytes() const {
   return impl_->store.size_bytes();
+}
+
+Result<demonstration::Edit> ProjectFile::resolved(demonstration::Edit edit) const {
+  return workbench::resolved(std::move(edit), *impl_->project, impl_->blobs, impl_->tree.newest() + 1);
 }
 
 const std::filesystem::path& ProjectFile::path() const {

@@ -71,7 +71,10 @@ void Workbench::Impl::on(const GoToHistory& command) {
 }
 
 void Workbench::Impl::on(const PreviewEdit& command) {
-  preview.request({demonstration(state.demonstration), command.edit, command.entry});
+  // What cannot be found is missing in the preview too, which says so.
+  const Result<demonstration::Edit> whole =
+      file ? file->resolved(command.edit) : Result<demonstration::Edit>(command.edit);
+  preview.request({demonstration(state.demonstration), whole.value_or(command.edit), command.entry});
   dirty = true;
 }
 

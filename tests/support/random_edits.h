@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "engine/core/random.h"
+#include "engine/demonstration/clip.h"
 #include "engine/demonstration/demonstration.h"
 #include "engine/demonstration/edit.h"
 
 namespace trocar::testing {
 
-/// Every kind of edit comes up; times lie within `length_s`.
-inline demonstration::Edit random_edit(Random& random, double length_s) {
+/// Every kind of edit comes up; times lie within `length_s`. A splice takes its clip from `source`, if there is one.
+inline demonstration::Edit random_edit(Random& random, double length_s,
+                                       const demonstration::Demonstration* source = nullptr) {
   using namespace demonstration;
   const double a = random.uniform(0.0, length_s);
   const double b = random.uniform(0.0, length_s);
@@ -20,6 +22,10 @@ inline demonstration::Edit random_edit(Random& random, double length_s) {
   const double to_s = std::max(a, b);
   const auto arms = static_cast<Arms>(random.below(3));
   const Eigen::Vector3d by(random.uniform(-0.005, 0.005), random.uniform(-0.005, 0.005), random.uniform(0.0, 0.005));
+  std::shared_ptr<const Clip> clip;
+  if (source != nullptr) {
+    if (auto taken = clip_of(*source, from_s, to_s)) clip = std::make_shared<const Clip>(std::move(*taken));
+  }
   const std::vector<Edit> choice{
       Trim{0.1 * from_s, length_s - 0.1 * from_s},
       TrimIdle{0.002, 0.3, 0.1, true, random.below(2) == 0},
@@ -27,6 +33,7 @@ inline demonstration::Edit random_edit(Random& random, double length_s) {
       LabelSegment{static_cast<Segment>(random.below(5)), from_s, to_s},
       ProposeLabels{},
       DeleteSpan{from_s, from_s + 0.1 * (to_s - from_s), random.below(2) == 0},
+      Splice{1, from_s, to_s, b, random.below(2) == 0 ? 0.0 : b + 0.2, static_cast<Align>(random.below(3)), 0, clip},
       Bridge{from_s, to_s, arms, static_cast<BridgeShape>(random.below(2)), random.below(2) == 0 ? 0.0 : 0.05, {by}},
       MoveTool{arms, a, by, 0.5, static_cast<Falloff>(random.below(4))},
       RotateTool{arms, a, 50.0 * by, static_cast<TurnFrame>(random.below(2)), 0.5, Falloff::kSmooth},

@@ -14,6 +14,7 @@ namespace trocar::ui {
 namespace {
 
 using demonstration::Demonstration;
+using demonstration::DemonstrationId;
 using demonstration::Edit;
 using demonstration::EditOption;
 using demonstration::StackEntry;
@@ -32,10 +33,45 @@ std::vector<std::string> titles_of_edits() {
 std::string likely(const EditOption& option, const Demonstration& shown, double playhead_s) {
   if (option.option == "from") return fmt::format("{:.3f}", shown.begin_s);
   if (option.option == "to") return fmt::format("{:.3f}", shown.end_s);
+  if (option.option == "clip-from") return fmt::format("{:.3f}", shown.begin_s);
+  if (option.option == "clip-to") return fmt::format("{:.3f}", shown.end_s);
   if (option.option == "at") return fmt::format("{:.3f}", playhead_s);
   if (option.option == "block" && shown.block != demonstration::kUnknownPlace) return std::to_string(shown.block);
   if (option.option == "goal" && shown.goal != demonstration::kUnknownPlace) return std::to_string(shown.goal);
   return option.text;
+}
+
+/// A demonstration is chosen by name; its number behind it tells apart those of one name.
+constexpr std::string_view kBeforeNumber = " · ";
+
+std::string choice_of(const Demonstration& demonstration) {
+  return fmt::format("{}{}{}", demonstration.name, kBeforeNumber, demonstration.id.value);
+}
+
+bool names_demonstration(const EditOption& option) {
+  return option.option == "source";
+}
+
+/// In place of a bare number; one that the project does not have stays.
+void offer_demonstrations(std::vector<EditOption>& options, const workbench::Project& project, DemonstrationId shown) {
+  for (EditOption& option : options) {
+    if (!names_demonstration(option)) continue;
+    if (option.text == "0") option.text = std::to_string(shown.value);
+    for (const auto& [id, demonstration] : project.demonstrations) {
+      option.choices.push_back(choice_of(*demonstration));
+      if (option.text == std::to_string(id.value)) option.text = option.choices.back();
+    }
+  }
+}
+
+Result<Edit> edit_of(std::string_view name, std::vector<EditOption> options) {
+  for (EditOption& option : options) {
+    const std::size_t at = option.text.rfind(kBeforeNumber);
+    if (names_demonstration(option) && at != std::string::npos) {
+      option.text = option.text.substr(at + kBeforeNumber.size());
+    }
+  }
+  return demonstration::edit_from_options(name, options);
 }
 
 std::string name_of_entry(const StackEntry& entry) {
@@ -44,13 +80,15 @@ std::string name_of_entry(const StackEntry& entry) {
 
 }  // namespace
 
-void EditsPanel::begin(const Edit& edit, const Demonstration& shown, std::int64_t entry) {
+void EditsPanel::begin(const Edit& edit, const workbench::Project& project, const Demonstration& shown,
+                       std::int64_t entry) {
   draft_ =
       Draft{shown.id, entry, std::string(demonstration::name_of(edit)), demonstration::options_of(edit), {}, nullptr};
+  offer_demonstrations(draft_->options, project, shown.id);
 }
 
 void EditsPanel::request_preview(Requests& requests) {
-  const Result<Edit> edit = demonstration::edit_from_options(draft_->name, draft_->options);
+  const Result<Edit> edit = edit_of(draft_->name, draft_->options);
   draft_->problem = edit ? "" : edit.error().text();
   if (edit) requests.emplace_back(Command{workbench::PreviewEdit{*edit, draft_->entry}});
 }
@@ -61,7 +99,7 @@ void EditsPanel::end(Requests& requests) {
 }
 
 void EditsPanel::commit(Requests& requests) {
-  const Result<Edit> edit = demonstration::edit_from_options(draft_->name, draft_->options);
+  const Result<Edit> edit = edit_of(draft_->name, draft_->options);
   if (!edit) return;
   const auto id = draft_->demonstration;
   if (draft_->entry == 0) {
@@ -133,11 +171,12 @@ void EditsPanel::draw_choice(Ui& ui, const WorkbenchState& state, const Demonstr
               {.icon = icon::kPlus, .help = "Set its parameters and see what it does", .reason = why})) {
     return;
   }
-  begin(demonstration::default_edits()[static_cast<std::size_t>(kind_)], shown, 0);
+  begin(demonstration::default_edits()[static_cast<std::size_t>(kind_)], *state.project, shown, 0);
   for (EditOption& option : draft_->options) option.text = likely(option, shown, state.playhead_s);
 }
 
-void EditsPanel::draw_entry(Ui& ui, const Demonstration& shown, int place, Requests& requests) {
+void EditsPanel::draw_entry(Ui& ui, const WorkbenchState& state, const Demonstration& shown, int place,
+                            Requests& requests) {
   const StackEntry& entry = (*shown.stack)[static_cast<std::size_t>(place)];
   const Scope scope(ui, fmt::format("{}", place + 1));
   bool enabled = entry.enabled;
@@ -151,7 +190,7 @@ void EditsPanel::draw_entry(Ui& ui, const Demonstration& shown, int place, Reque
   const auto tool = [&](std::string_view label, const char* sign, std::string_view help, std::string_view reason) {
     return icon_button(ui, label, {.icon = sign, .help = help, .reason = reason, .style = ButtonStyle::kQuiet});
   };
-  if (tool("Change", icon::kPencil, "Change its parameters", "")) begin(*entry.edit, shown, entry.id);
+  if (tool("Change", icon::kPencil, "Change its parameters", "")) begin(*entry.edit, *state.project, shown, entry.id);
   ImGui::SameLine();
   if (tool("Earlier", icon::kArrowUp, "Apply it earlier", place == 0 ? "It is the first" : "")) {
     requests.emplace_back(Command{CommitEdit{workbench::MoveStackEntry{shown.id, entry.id, place - 1}}});
@@ -167,14 +206,14 @@ void EditsPanel::draw_entry(Ui& ui, const Demonstration& shown, int place, Reque
   ImGui::PopStyleVar();
 }
 
-void EditsPanel::draw_stack(Ui& ui, const Demonstration& shown, Requests& requests) {
+void EditsPanel::draw_stack(Ui& ui, const WorkbenchState& state, const Demonstration& shown, Requests& requests) {
   const Scope scope(ui, "Stack");
   heading(ui, "Edits");
   if (shown.stack->empty())
     return wrapped_text(ui, "As it was recorded. Edits appear here, in their order", ui.theme().text_dim);
   for (int place = 0; place < static_cast<int>(shown.stack->size()); ++place) {
     ImGui::PushID(place);
-    draw_entry(ui, shown, place, requests);
+    draw_entry(ui, state, shown, place, requests);
     ImGui::PopID();
   }
 }
@@ -194,7 +233,7 @@ Requests EditsPanel::draw(Ui& ui, const WorkbenchState& state) {
     draw_choice(ui, state, *shown);
   }
   ImGui::Dummy({0.0F, ui.px(6)});
-  draw_stack(ui, *shown, requests);
+  draw_stack(ui, state, *shown, requests);
   return requests;
 }
 

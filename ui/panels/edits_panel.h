@@ -27,9 +27,11 @@ class EditsPanel final : public Panel {
     std::shared_ptr<const demonstration::Demonstration> previewed;  ///< What the last preview was asked for.
   };
 
-  void begin(const demonstration::Edit& edit, const demonstration::Demonstration& shown, std::int64_t entry);
-  void draw_stack(Ui& ui, const demonstration::Demonstration& shown, Requests& requests);
-  void draw_entry(Ui& ui, const demonstration::Demonstration& shown, int place, Requests& requests);
+  void begin(const demonstration::Edit& edit, const workbench::Project& project,
+             const demonstration::Demonstration& shown, std::int64_t entry);
+  void draw_stack(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown, Requests& requests);
+  void draw_entry(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown, int place,
+                  Requests& requests);
   void draw_choice(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown);
   bool draw_option(Ui& ui, demonstration::EditOption& option);
   void draw_draft(Ui& ui, const WorkbenchState& state, Requests& requests);

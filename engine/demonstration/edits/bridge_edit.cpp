@@ -109,7 +109,8 @@ Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit)
     sample.tick = from.tick + tick;
     made.push_back(sample);
   }
-  return with_other_length(document, first + 1, last - first - 1, std::move(made), length - (to.tick - from.tick));
+  return with_other_length(document, first + 1, last - first - 1, SampleTrack(std::move(made)),
+                           length - (to.tick - from.tick));
 }
 
 }  // namespace trocar::demonstration

@@ -66,11 +66,11 @@ Demonstration with_stretch(const Demonstration& document, Stretch stretch) {
 }
 
 Result<Demonstration> with_other_length(const Demonstration& document, std::size_t first, std::size_t count,
-                                        std::vector<Sample> samples, std::int64_t shift) {
+                                        const SampleTrack& samples, std::int64_t shift) {
   Demonstration edited = document;
   const SampleTrack& track = document.samples;
-  edited.samples = SampleTrack::joined({track.slice(0, first), SampleTrack(std::move(samples)),
-                                        track.slice(first + count, track.size()).shifted(shift)});
+  edited.samples =
+      SampleTrack::joined({track.slice(0, first), samples, track.slice(first + count, track.size()).shifted(shift)});
   if (edited.samples.size() < 2) return fail(ErrorCode::kInvalidArgument, "fewer than 2 samples would stay");
   const double begin_s = Tick{track.tick(std::min(first, track.size() - 1)) - document.first_tick()}.seconds();
   const std::size_t after = std::min(first + count, track.size() - 1);

@@ -32,7 +32,7 @@ Demonstration with_stretch(const Demonstration& document, Stretch stretch);
 /// gates and notes follow: a time inside the old span keeps its share of it.
 /// Errors: kInvalidArgument if fewer than 2 samples stay between the gates.
 Result<Demonstration> with_other_length(const Demonstration& document, std::size_t first, std::size_t count,
-                                        std::vector<Sample> samples, std::int64_t shift);
+                                        const SampleTrack& samples, std::int64_t shift);
 
 /// Times of labels, gates and notes go through `moved`, which never decreases; labels without a length go.
 void move_times(Demonstration& document, const std::function<double(double)>& moved);

@@ -119,7 +119,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Retime& edit)
   for (double& tick : ticks) tick *= fit;
   ticks.back() = static_cast<double>(length);
   const std::int64_t shift = length - (samples.back().tick - samples.front().tick);
-  return with_other_length(document, stretch.first, samples.size(), on_grid(samples, ticks, kStep), shift);
+  return with_other_length(document, stretch.first, samples.size(), SampleTrack(on_grid(samples, ticks, kStep)), shift);
 }
 
 }  // namespace trocar::demonstration

@@ -51,7 +51,7 @@ TEST_CASE("whatever is done, what comes out is a valid demonstration and what we
     Random random(seed);
     Demonstration document = testing::moving_demonstration(600);
     for (int i = 0; i < 8; ++i) {
-      const Edit edit = testing::random_edit(random, document.full_duration_s());
+      const Edit edit = testing::random_edit(random, document.full_duration_s(), &document);
       const std::uint64_t before = document.hash();
       const Result<Demonstration> after = apply(document, edit, i);
       RC_ASSERT(document.hash() == before);
@@ -74,7 +74,7 @@ TEST_CASE("the stack gives again, from the recording, what its edits gave one af
     Random random(seed);
     Demonstration document = testing::moving_demonstration(400);
     for (int i = 1; i <= 6; ++i) {
-      Result<Demonstration> after = apply(document, testing::random_edit(random, 2.0), i);
+      Result<Demonstration> after = apply(document, testing::random_edit(random, 2.0, &document), i);
       if (after) document = std::move(*after);
     }
     const Result<Demonstration> again = with_stack(document, *document.stack);

@@ -19,6 +19,11 @@ using testing::ScratchFolder;
 
 namespace {
 
+/// A quarter of a second of `source` as it was at `as_of`, put in at its begin.
+demonstration::Splice splice(DemonstrationId source, std::int64_t as_of, double from_s) {
+  return {source.value, from_s, from_s + 0.25, 0.1, 0.0, demonstration::Align::kMeet, as_of, nullptr};
+}
+
 /// Any edit of any demonstration, most of which apply.
 Edit random_edit(Random& random, const Project& project) {
   if (project.demonstrations.empty()) return RemoveDemonstration{{1}};
@@ -26,7 +31,7 @@ Edit random_edit(Random& random, const Project& project) {
   std::advance(chosen, random.below(static_cast<std::uint32_t>(project.demonstrations.size())));
   const double from_s = random.uniform(-0.1, 1.0);
   const double to_s = from_s + random.uniform(0.0, 1.0);
-  switch (random.below(8)) {
+  switch (random.below(11)) {
     case 0:
     case 1:
     case 2:
@@ -37,6 +42,13 @@ Edit random_edit(Random& random, const Project& project) {
       return AddDemonstration{chosen->second->recording->id, "copy"};
     case 5:
       return EditDemonstration{chosen->first, Rename{"name " + std::to_string(random.below(1000))}};
+    case 6:
+      return CopyDemonstration{chosen->first, "copy", {demonstration::Perturb{0.001, 0.5, random.next()}}};
+    case 7:
+      return SplitDemonstration{chosen->first, from_s, "rest"};
+    case 8:
+      return EditDemonstration{chosen->first,
+                               splice(project.demonstrations.begin()->first, 0, random.uniform(0.0, 0.5))};
     default:
       return EditDemonstration{chosen->first, LabelSegment{static_cast<Segment>(random.below(5)), from_s, to_s}};
   }
@@ -126,8 +138,89 @@ TEST_CASE("a history much longer than the distance of keyframes is undone and re
   }
 }
 
+TEST_CASE("what was cut is pasted as it was before the cut, also after the project is opened again") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId id = add_demonstration(file, 400, "a");
+  const std::int64_t before_cut = file.head();
+  const auto original = file.project()->demonstrations.at(id);
+  REQUIRE(file.commit(EditDemonstration{id, demonstration::DeleteSpan{0.5, 1.0, true}}));
+  REQUIRE(file.commit(EditDemonstration{id, splice(id, before_cut, 0.5)}));
+  const auto pasted = file.project()->demonstrations.at(id);
+  CHECK(pasted->samples.size() == 400 - 100 + 51);
+  // At 0.1 s stands what was at 0.5 s, moved to where the tool was.
+  const auto way = [](const auto& of, std::size_t from, std::size_t to) {
+    return Eigen::Vector3d(of->samples[to].arms[0].measured.pose().p - of->samples[from].arms[0].measured.pose().p);
+  };
+  CHECK((way(pasted, 20, 60) - way(original, 100, 140)).norm() < 1e-6);
+  const std::uint64_t hash = file.project()->hash();
+  { ProjectFile closing = std::move(file); }
+  ProjectFile again = opened(folder / "p.trocar");
+  CHECK(again.project()->hash() == hash);
+  REQUIRE(again.undo());
+  REQUIRE(again.redo());
+  CHECK(again.project()->hash() == hash);
+}
+
+TEST_CASE("a pasted clip stays as it was when its source is edited or removed") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId source = add_demonstration(file, 400, "source");
+  const DemonstrationId id = add_demonstration(file, 400, "a");
+  const auto node = file.commit(EditDemonstration{id, splice(source, 0, 0.5)});
+  REQUIRE(node);
+  const std::uint64_t hash = file.project()->demonstrations.at(id)->hash();
+  REQUIRE(file.commit(EditDemonstration{source, demonstration::Offset{demonstration::Arms::kBoth, {0.0, 0.0, 0.01}}}));
+  REQUIRE(file.commit(RemoveDemonstration{source}));
+  REQUIRE(file.commit(EnableStackEntry{id, *node, false}));
+  REQUIRE(file.commit(EnableStackEntry{id, *node, true}));
+  CHECK(file.project()->demonstrations.at(id)->hash() == hash);
+}
+
+TEST_CASE("a long chain of pastes, each from the point before it, is opened at once") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId id = add_demonstration(file, 200, "a");
+  for (int i = 0; i < 60; ++i) REQUIRE(file.commit(EditDemonstration{id, splice(id, file.head(), 0.3)}));
+  const std::uint64_t hash = file.project()->hash();
+  { ProjectFile closing = std::move(file); }
+  // Without memory of the points in between this would take 2⁶⁰ steps.
+  CHECK(opened(folder / "p.trocar").project()->hash() == hash);
+}
+
+TEST_CASE("a paste from the future or from nowhere is refused") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId id = add_demonstration(file, 200, "a");
+  CHECK_FALSE(file.commit(EditDemonstration{id, splice(id, file.head() + 1, 0.3)}));
+  CHECK_FALSE(file.commit(EditDemonstration{id, splice(id, -1, 0.3)}));
+  CHECK_FALSE(file.commit(EditDemonstration{id, splice({99}, 0, 0.3)}));
+  CHECK(file.project()->demonstrations.at(id)->stack->empty());
+}
+
+TEST_CASE("a split makes two that together are the whole, in one step of the history") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId id = add_demonstration(file, 400, "whole");
+  const std::uint64_t hash = file.project()->hash();
+  const auto node = file.commit(SplitDemonstration{id, 1.0, "rest"});
+  REQUIRE(node);
+  const auto first = file.project()->demonstrations.at(id);
+  const auto second = file.project()->demonstrations.at(DemonstrationId{*node});
+  CHECK(first->end_s == 1.0);
+  CHECK(second->begin_s == 1.0);
+  CHECK(second->end_s == doctest::Approx(1.995));
+  CHECK(first->stack->back().id != second->stack->back().id);
+  CHECK_FALSE(file.commit(SplitDemonstration{id, 5.0, "beyond"}));
+  REQUIRE(file.undo());
+  CHECK(file.project()->hash() == hash);
+}
+
 TEST_CASE("every edit of the project reads back from its JSON as it was") {
   const std::vector<Edit> edits{AddDemonstration{{3}, "Grasp \"über\""},
+                                CopyDemonstration{{3}, "b", {demonstration::Mirror{}, demonstration::Trim{0.5, 1.5}}},
+                                SplitDemonstration{{3}, 1.25, "rest"},
+                                EditDemonstration{{3}, splice({2}, 1, 0.5)},
                                 RemoveDemonstration{{4}},
                                 EditDemonstration{{5}, Trim{0.1, 1.0 / 3.0}},
                                 EditDemonstration{{5}, LabelSegment{Segment::kE, 0.0, 1e-9}},
