@@ -95,6 +95,21 @@ Requests trim_idle(const State& state) {
   return one(Command{CommitEdit{EditDemonstration{state.demonstration, demonstration::TrimIdle{}}}});
 }
 
+std::string cannot_split(const State& state) {
+  if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
+  const auto shown = selected_demonstration(state);
+  const bool inside = state.playhead_s > shown->begin_s && state.playhead_s < shown->end_s;
+  return inside ? "" : "The playhead is not between the gates";
+}
+
+Requests split(const State& state) {
+  return one(Command{CommitEdit{SplitDemonstration{state.demonstration, state.playhead_s, ""}}});
+}
+
+Requests copy_demonstration(const State& state) {
+  return one(Command{CommitEdit{CopyDemonstration{state.demonstration, "", {}}}});
+}
+
 Requests remove_demonstration(const State& state) {
   return one(Command{CommitEdit{RemoveDemonstration{state.demonstration}}});
 }
@@ -163,7 +178,7 @@ constexpr std::array<RowData, 5> kFileRows{{
      act<UiAction::kQuit>},
 }};
 
-constexpr std::array<RowData, 12> kEditRows{{
+constexpr std::array<RowData, 14> kEditRows{{
     {"edit.undo", "Edit", "Undo", "Go back one step in the history", icon::kUndo, {"Ctrl+Z"}, false, cannot_undo, undo},
     {"edit.redo",
      "Edit",
@@ -201,6 +216,24 @@ constexpr std::array<RowData, 12> kEditRows{{
      false,
      cannot_edit,
      trim_idle},
+    {"edit.split",
+     "Edit",
+     "Split at playhead",
+     "Make two demonstrations: one up to the playhead, one from there on",
+     icon::kCut,
+     {"B"},
+     false,
+     cannot_split,
+     split},
+    {"edit.copy_demonstration",
+     "Edit",
+     "Copy demonstration",
+     "Add another with the same recording and the same edits",
+     icon::kCopy,
+     {"Ctrl+D"},
+     false,
+     cannot_edit,
+     copy_demonstration},
     {"edit.remove_demonstration",
      "Edit",
      "Delete demonstration",

@@ -22,6 +22,16 @@ struct EditText {
   std::string project;
   std::string operator()(const AddDemonstration&) const { return ""; }
   std::string operator()(const AddModel&) const { return ""; }
+  std::string operator()(const CopyDemonstration& edit) const {
+    return named(fmt::format("trocar demo copy {} {}", project, edit.demonstration.value), edit.name);
+  }
+  std::string operator()(const SplitDemonstration& edit) const {
+    return named(fmt::format("trocar demo split {} {} --at {}", project, edit.demonstration.value, edit.at_s),
+                 edit.name);
+  }
+  static std::string named(const std::string& command, const std::string& name) {
+    return name.empty() ? command : fmt::format("{} --name {}", command, shell_word(name));
+  }
   // The command line does not remove; there is nothing to copy.
   std::string operator()(const RemoveDemonstration&) const { return ""; }
   std::string operator()(const RemoveModel&) const { return ""; }

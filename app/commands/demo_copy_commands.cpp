@@ -38,22 +38,6 @@ void bind_copy(CLI::App& verb, CopyArguments& arguments) {
   add_seed(verb, arguments.seed, "Of the first copy's noise; each further one has the next");
 }
 
-/// `wanted`, or "Expert 1 copy 2": the first that nothing has.
-std::string free_name(const workbench::Project& project, const std::string& wanted, const std::string& of, int nth) {
-  const auto taken = [&](const std::string& name) {
-    for (const auto& [id, each] : project.demonstrations) {
-      if (each->name == name) return true;
-    }
-    return false;
-  };
-  if (!wanted.empty() && nth == 0 && !taken(wanted)) return wanted;
-  const std::string stem = wanted.empty() ? of : wanted;
-  for (int number = 2;; ++number) {
-    std::string name = fmt::format("{} ({})", stem, number);
-    if (!taken(name)) return name;
-  }
-}
-
 Json one_json(const demonstration::Demonstration& document) {
   return {{"id", document.id.value}, {"name", document.name}, {"hash", hash_text(document.hash())}};
 }
@@ -61,7 +45,8 @@ Json one_json(const demonstration::Demonstration& document) {
 Result<Answer> run_split(const CopyArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), arguments.demonstration));
-  const std::string name = free_name(*file.project(), arguments.name, before->name, 0);
+  const std::string name =
+      arguments.name.empty() ? "" : free_demonstration_name(*file.project(), arguments.name, console);
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id,
                           file.commit(workbench::SplitDemonstration{before->id, arguments.at_s, name}));
   const auto& demonstrations = file.project()->demonstrations;
@@ -69,7 +54,8 @@ Result<Answer> run_split(const CopyArguments& arguments, Console& console) {
   answer.json = {{"id", id},
                  {"first", one_json(*demonstrations.at(before->id))},
                  {"second", one_json(*demonstrations.at(workbench::DemonstrationId{id}))}};
-  answer.summary = fmt::format("split {} at {:.2f} s, the rest is {} ({})", before->name, arguments.at_s, name, id);
+  answer.summary = fmt::format("split {} at {:.2f} s; from there on it is {} ({})", before->name, arguments.at_s,
+                               demonstrations.at(workbench::DemonstrationId{id})->name, id);
   return answer;
 }
 
@@ -80,18 +66,21 @@ Result<Answer> run_copy(const CopyArguments& arguments, Console& console) {
   answer.json["copies"] = Json::array();
   for (int nth = 0; nth < arguments.copies; ++nth) {
     TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
-    workbench::CopyDemonstration copy{source->id, free_name(*file.project(), arguments.name, source->name, nth), {}};
+    const std::string wanted =
+        nth == 0 || arguments.name.empty() ? arguments.name : fmt::format("{} {}", arguments.name, nth + 1);
+    const std::string name = wanted.empty() ? "" : free_demonstration_name(*file.project(), wanted, console);
+    workbench::CopyDemonstration copy{source->id, name, {}};
     if (arguments.perturb_mm > 0.0) {
       copy.edits.emplace_back(demonstration::Perturb{1e-3 * arguments.perturb_mm, arguments.period_s,
                                                      arguments.seed + static_cast<std::uint64_t>(nth)});
     }
     TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(copy));
-    answer.json["copies"].push_back(one_json(*file.project()->demonstrations.at(workbench::DemonstrationId{id})));
-    answer.text += fmt::format("{}{:>4}  {}", nth == 0 ? "" : "\n", id, copy.name);
+    const auto made = file.project()->demonstrations.at(workbench::DemonstrationId{id});
+    answer.json["copies"].push_back(one_json(*made));
+    answer.text += fmt::format("{}{:>4}  {}", nth == 0 ? "" : "\n", id, made->name);
   }
-  answer.summary =
-      fmt::format("copied {} {}", source->name,
-                  arguments.copies == 1 ? "once" : counted(static_cast<std::size_t>(arguments.copies), "time"));
+  answer.summary = fmt::format(
+      "{} of {}", arguments.copies == 1 ? "1 copy" : fmt::format("{} copies", arguments.copies), source->name);
   return answer;
 }
 

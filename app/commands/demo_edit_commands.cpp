@@ -47,12 +47,13 @@ Status check_rename(const workbench::Project& project, demonstration::Demonstrat
 }
 
 /// Nothing if there is nothing to change.
-using EditMaker = std::function<Result<std::optional<demonstration::Edit>>(const demonstration::Demonstration&)>;
+using EditMaker = std::function<Result<std::optional<demonstration::Edit>>(const demonstration::Demonstration&,
+                                                                           const workbench::Project&)>;
 
 Result<Answer> commit(const Target& target, Console& console, const EditMaker& edit_of) {
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(target.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), target.demonstration));
-  TROCAR_ASSIGN_OR_RETURN(const std::optional<demonstration::Edit> edit, edit_of(*before));
+  TROCAR_ASSIGN_OR_RETURN(const std::optional<demonstration::Edit> edit, edit_of(*before, *file.project()));
   if (!edit) return unchanged(*before);
   TROCAR_RETURN_IF_ERROR(check_rename(*file.project(), before->id, *edit));
   const workbench::Edit whole = workbench::EditDemonstration{before->id, *edit};
@@ -106,6 +107,21 @@ struct EditArguments {
   bool idle = false;  ///< Of trim alone.
 };
 
+/// The source of a splice may be given by name, or left out if it is the document itself; so may its span.
+Status find_source(EditArguments& arguments, const demonstration::Demonstration& document,
+                   const workbench::Project& project) {
+  const auto source = arguments.options.find("source");
+  if (source == arguments.options.end()) return {};
+  if (source->second.empty()) source->second = std::to_string(document.id.value);
+  TROCAR_ASSIGN_OR_RETURN(const auto found, find_demonstration(project, source->second));
+  source->second = std::to_string(found->id.value);
+  std::string& from = arguments.options["clip-from"];
+  std::string& to = arguments.options["clip-to"];
+  if (from.empty()) from = fmt::format("{}", found->begin_s);
+  if (to.empty()) to = fmt::format("{}", found->end_s);
+  return {};
+}
+
 /// A span that is not given is all between the gates; a label has to say what it covers.
 std::vector<std::string> words_of(const EditArguments& arguments, const demonstration::Demonstration& document) {
   std::vector<std::string> words{arguments.name};
@@ -126,10 +142,13 @@ Result<Answer> run_edit(const EditArguments& arguments, Console& console) {
     return fail(ErrorCode::kInvalidArgument, "trim needs --from, --to or both, or else --idle alone");
   }
   return commit(*arguments.target, console,
-                [&](const demonstration::Demonstration& document) -> Result<std::optional<demonstration::Edit>> {
+                [&](const demonstration::Demonstration& document,
+                    const workbench::Project& project) -> Result<std::optional<demonstration::Edit>> {
                   if (arguments.idle) return demonstration::idle_ends(document);
+                  EditArguments found = arguments;
+                  TROCAR_RETURN_IF_ERROR(find_source(found, document, project));
                   TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit,
-                                          demonstration::edit_from_words(words_of(arguments, document)));
+                                          demonstration::edit_from_words(words_of(found, document)));
                   return kept_within(document, std::move(edit));
                 });
 }

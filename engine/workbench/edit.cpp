@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/demonstration/clip.h"
 #include "engine/demonstration/edit_sentence.h"
 #include "engine/demonstration/name.h"
@@ -16,6 +18,17 @@ using DemonstrationEdit = demonstration::Edit;
 
 tl::unexpected<Error> no_demonstration(DemonstrationId id) {
   return fail(ErrorCode::kNotFound, fmt::format("the project has no demonstration {}", id.value));
+}
+
+/// `stem`, or the first of "stem 2", "stem 3" … that no demonstration has.
+std::string unused_name(const Project& project, const std::string& stem) {
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(project.demonstrations.begin(), project.demonstrations.end(),
+                       [&](const auto& each) { return each.second->name == name; });
+  };
+  std::string name = stem;
+  for (int number = 2; taken(name); ++number) name = fmt::format("{} {}", stem, number);
+  return name;
 }
 
 struct Application {
@@ -57,12 +70,12 @@ struct Application {
   std::int64_t entry_id(std::size_t nth) const { return new_id + (static_cast<std::int64_t>(nth) << 32); }
 
   Result<Project> operator()(const CopyDemonstration& edit) const {
-    TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
+    if (!edit.name.empty()) TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
     const auto found = project.demonstrations.find(edit.demonstration);
     if (found == project.demonstrations.end()) return no_demonstration(edit.demonstration);
     Demonstration copy = *found->second;
     copy.id = DemonstrationId{new_id};
-    copy.name = edit.name;
+    copy.name = edit.name.empty() ? unused_name(project, copy.name + " copy") : edit.name;
     for (std::size_t i = 0; i < edit.edits.size(); ++i) {
       TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(edit.edits[i], project, blobs, new_id));
       TROCAR_ASSIGN_OR_RETURN(copy, demonstration::apply(copy, whole, entry_id(i)));
@@ -78,7 +91,8 @@ struct Application {
       return fail(ErrorCode::kInvalidArgument, fmt::format("{} can only be split between {:.2f} and {:.2f} s",
                                                            whole.name, whole.begin_s, whole.end_s));
     }
-    const CopyDemonstration second{edit.demonstration, edit.name, {demonstration::Trim{edit.at_s, whole.end_s}}};
+    const std::string rest = edit.name.empty() ? unused_name(project, whole.name + " rest") : edit.name;
+    const CopyDemonstration second{edit.demonstration, rest, {demonstration::Trim{edit.at_s, whole.end_s}}};
     TROCAR_ASSIGN_OR_RETURN(Project edited, (*this)(second));
     TROCAR_ASSIGN_OR_RETURN(Demonstration first,
                             demonstration::apply(whole, demonstration::Trim{whole.begin_s, edit.at_s}, entry_id(1)));
@@ -146,10 +160,11 @@ struct Description {
     return fmt::format("Remove {}", name(edit.demonstration));
   }
   std::string operator()(const CopyDemonstration& edit) const {
-    return fmt::format("Copy {} as {}", name(edit.demonstration), edit.name);
+    return edit.name.empty() ? fmt::format("Copy {}", name(edit.demonstration))
+                             : fmt::format("Copy {} as {}", name(edit.demonstration), edit.name);
   }
   std::string operator()(const SplitDemonstration& edit) const {
-    return fmt::format("Split {} at {:.2f} s, the rest is {}", name(edit.demonstration), edit.at_s, edit.name);
+    return fmt::format("Split {} at {:.2f} s", name(edit.demonstration), edit.at_s);
   }
   std::string operator()(const AddModel& edit) const { return fmt::format("Add model {}", edit.object); }
   std::string operator()(const RemoveModel& edit) const {

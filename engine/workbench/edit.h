@@ -34,7 +34,7 @@ struct EditDemonstration {
 struct CopyDemonstration {
   static constexpr std::string_view kName = "copy demonstration";
   DemonstrationId demonstration;
-  std::string name;
+  std::string name;  ///< "": "Expert 1 copy", numbered if need be.
   std::vector<demonstration::Edit> edits;
 };
 
@@ -43,7 +43,7 @@ struct SplitDemonstration {
   static constexpr std::string_view kName = "split demonstration";
   DemonstrationId demonstration;
   double at_s = 0.0;
-  std::string name;  ///< Of the second.
+  std::string name;  ///< Of the second; "": "Expert 1 rest", numbered if need be.
 };
 
 /// Changes the stack of a demonstration: what was done to it, afterwards.

@@ -212,6 +212,12 @@ TEST_CASE("a split makes two that together are the whole, in one step of the his
   CHECK(second->end_s == doctest::Approx(1.995));
   CHECK(first->stack->back().id != second->stack->back().id);
   CHECK_FALSE(file.commit(SplitDemonstration{id, 5.0, "beyond"}));
+  const auto copy = file.commit(CopyDemonstration{id, "", {}});
+  const auto again = file.commit(CopyDemonstration{id, "", {}});
+  REQUIRE((copy && again));
+  CHECK(file.project()->demonstrations.at(DemonstrationId{*copy})->name == "whole copy");
+  CHECK(file.project()->demonstrations.at(DemonstrationId{*again})->name == "whole copy 2");
+  REQUIRE((file.undo() && file.undo()));
   REQUIRE(file.undo());
   CHECK(file.project()->hash() == hash);
 }
