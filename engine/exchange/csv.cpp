@@ -7,21 +7,13 @@
 
 #include "engine/exchange/columns.h"
 #include "engine/exchange/row_reader.h"
+#include "engine/exchange/text_lines.h"
 
 namespace trocar::exchange {
 namespace {
 
 tl::unexpected<Error> wrong(std::size_t line, std::string_view what) {
   return fail(ErrorCode::kCorrupt, fmt::format("line {}: {}", line, what));
-}
-
-/// Takes the next line off `text`, without its end.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = text.find('\n');
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
 }
 
 std::string_view trimmed(std::string_view field) {

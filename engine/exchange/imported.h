@@ -4,14 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "engine/demonstration/edit.h"
 #include "engine/demonstration/recording.h"
 
 namespace trocar::exchange {
 
 struct Imported {
-  demonstration::Recording recording;  ///< Provenance "imported", block, goal and outcome
-                                       ///< unknown, no initial world; at least 2 samples, checked.
-  std::vector<std::string> lossy;      ///< What the file does not have.
+  demonstration::Recording recording;         ///< Provenance "imported", block, goal and outcome
+                                              ///< unknown, no initial world; at least 2 samples, checked.
+  std::vector<std::string> lossy;             ///< What the file does not have.
+  std::vector<std::string> found;             ///< What had to be taken in another way than it stands there.
+  std::vector<demonstration::AddNote> notes;  ///< To be written on the demonstration; times from its first sample.
 };
 
 }  // namespace trocar::exchange

@@ -1,0 +1,109 @@
+#include "engine/exchange/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/demonstration/motion.h"
+#include "engine/demonstration/quality.h"
+
+namespace trocar::exchange {
+namespace {
+
+using demonstration::Sample;
+
+constexpr std::array<const char*, 2> kArms{"left", "right"};
+/// A step this many times as long as the usual one is a gap.
+constexpr double kGap = 2.5;
+
+double usual_step_s(const std::vector<Sample>& samples) {
+  std::vector<std::int64_t> steps;
+  steps.reserve(samples.size());
+  for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples[i].tick - samples[i - 1].tick);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return Tick{*middle}.seconds();
+}
+
+/// "2 gaps, the longest 0.60 s at 3.20 s"; empty if there is none.
+std::string gaps(const std::vector<Sample>& samples, double step_s) {
+  int count = 0;
+  double longest_s = 0.0;
+  double at_s = 0.0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double gap_s = samples[i].t_s() - samples[i - 1].t_s();
+    if (gap_s < kGap * step_s) continue;
+    ++count;
+    if (gap_s <= longest_s) continue;
+    longest_s = gap_s;
+    at_s = samples[i - 1].t_s() - samples.front().t_s();
+  }
+  if (count == 0) return "";
+  return fmt::format("{} {}, the longest {:.2f} s at {:.2f} s", count, count == 1 ? "gap" : "gaps", longest_s, at_s);
+}
+
+int sign_changes(const std::vector<Sample>& samples, std::size_t arm) {
+  int count = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const auto& before = samples[i - 1].arms[arm].setpoint_q_wxyz;
+    const auto& after = samples[i].arms[arm].setpoint_q_wxyz;
+    double dot = 0.0;
+    for (std::size_t part = 0; part < 4; ++part) dot += before[part] * after[part];
+    if (dot < 0.0) ++count;
+  }
+  return count;
+}
+
+/// Where a tool goes, when much of it is not over the lattice.
+std::string outside(const std::vector<Sample>& samples, std::size_t arm, const spatial::Grid& grid) {
+  std::size_t count = 0;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
+  Eigen::Vector3d high = -low;
+  for (const Sample& sample : samples) {
+    const Eigen::Vector3d tip = demonstration::measured_tip(sample, arm);
+    low = low.cwiseMin(tip);
+    high = high.cwiseMax(tip);
+    if (!grid.cell_at(tip)) ++count;
+  }
+  if (count == 0) return "";
+  const Eigen::Vector3d middle = 500.0 * (low + high);
+  return fmt::format(
+      "{:.0f} % of the {} tool's samples are outside of the learning lattice, its middle is {:.0f}, "
+      "{:.0f}, {:.0f} mm",
+      100.0 * static_cast<double>(count) / static_cast<double>(samples.size()), kArms[arm], middle.x(), middle.y(),
+      middle.z());
+}
+
+std::string idle(const demonstration::Demonstration& document) {
+  const std::vector<demonstration::IdleSpan> spans = demonstration::idle_spans(document);
+  if (spans.empty()) return "";
+  double total_s = 0.0;
+  for (const demonstration::IdleSpan& span : spans) total_s += span.end_s - span.begin_s;
+  return fmt::format("neither tool moves in {} {}, {:.1f} s together", spans.size(),
+                     spans.size() == 1 ? "stretch" : "stretches", total_s);
+}
+
+}  // namespace
+
+std::vector<std::string> findings(const demonstration::Demonstration& document, const spatial::Grid& grid) {
+  const std::vector<Sample> samples = document.gated().to_vector();
+  const double step_s = usual_step_s(samples);
+  std::vector<std::string> found{fmt::format("{:.0f} samples a second", 1.0 / step_s)};
+  const auto add = [&](std::string sentence) {
+    if (!sentence.empty()) found.push_back(std::move(sentence));
+  };
+  add(gaps(samples, step_s));
+  add(idle(document));
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    if (const int count = sign_changes(samples, arm); count > 0) {
+      add(fmt::format("the {} tool's quaternion changes sign {} {}", kArms[arm], count, count == 1 ? "time" : "times"));
+    }
+    add(outside(samples, arm, grid));
+  }
+  return found;
+}
+
+}  // namespace trocar::exchange

@@ -1,0 +1,16 @@
+/// What is odd about a recording that came from elsewhere, said and not mended.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/demonstration/demonstration.h"
+#include "engine/spatial/grid.h"
+
+namespace trocar::exchange {
+
+/// One sentence each, the sample rate first: gaps, stretches in which nothing moves, quaternions that change sign
+/// from one sample to the next, motion outside of the learning lattice.
+std::vector<std::string> findings(const demonstration::Demonstration& document, const spatial::Grid& grid);
+
+}  // namespace trocar::exchange
