@@ -71,8 +71,7 @@ Answer imported_answer(const demonstration::Demonstration& document, const excha
   answer.summary =
       fmt::format("{:.2f} s, {} samples{}", document.duration_s(), document.gated().size(), lossy_text(imported.lossy));
   if (warnings + errors > 0) {
-    answer.summary +=
-        fmt::format("; {} and {}, see `trocar demo check`", counted(errors, "error"), counted(warnings, "warning"));
+    answer.summary += fmt::format("; {} and {}", counted(errors, "error"), counted(warnings, "warning"));
   }
   for (const std::string& sentence : found) answer.text += fmt::format("\nfound: {}", sentence);
   return answer;
@@ -115,6 +114,7 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   }
   Answer answer = imported_answer(*file.project()->demonstrations.at(added), imported, format);
   answer.json["imported"] = 1;
+  if (answer.json["warnings"] != 0 || answer.json["errors"] != 0) answer.summary += ", see `trocar demo check`";
   answer.text = fmt::format("Demonstration {} ({}): {}{}", id, name, answer.summary, answer.text);
   return answer;
 }

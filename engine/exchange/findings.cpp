@@ -69,7 +69,8 @@ std::string outside(const std::vector<Sample>& samples, std::size_t arm, const s
     if (!grid.cell_at(tip)) ++count;
   }
   if (count == 0) return "";
-  const Eigen::Vector3d middle = 500.0 * (low + high);
+  // Whole millimetres, and no "-0".
+  const Eigen::Vector3d middle = (500.0 * (low + high)).array().round() + 0.0;
   return fmt::format(
       "{:.0f} % of the {} tool's samples are outside of the learning lattice, its middle is {:.0f}, "
       "{:.0f}, {:.0f} mm",

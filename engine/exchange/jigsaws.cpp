@@ -22,7 +22,7 @@ constexpr std::array<std::size_t, 2> kFirstColumn{38, 57};  ///< Of the left and
 constexpr double kRate_hz = 30.0;
 /// Further from a rotation than a file's rounding explains.
 constexpr double kNoRotation = 0.05;
-constexpr double kRounded = 1e-6;
+constexpr double kRounded = 1e-5;
 
 using Row = std::array<double, kColumns>;
 
