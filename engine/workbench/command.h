@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "engine/plot/colour_map.h"
 #include "engine/scene/scene.h"
 #include "engine/trial/transfer_session.h"
+#include "engine/workbench/clipboard.h"
 #include "engine/workbench/edit.h"
 #include "engine/workbench/job_view.h"
 
@@ -51,6 +54,26 @@ struct SetPlayhead {
 struct Play {
   double speed = 1.0;
 };  ///< 0 pauses.
+
+/// Of the selected demonstration; kept within its gates.
+struct SetSelection {
+  std::optional<TimeSpan> span;
+};
+/// Puts a run into the clipboard as it is now.
+struct CopyRun {
+  DemonstrationId demonstration;
+  TimeSpan span;
+};
+/// Whether what is dragged in time goes to the events near it.
+struct SetSnapping {
+  bool on = true;
+};
+/// What is played again and again: the selection, or what lies between the gates if nothing is selected; or the
+/// segment that the playhead is in.
+enum class Loop : std::uint8_t { kOff, kSpan, kSegment };
+struct SetLoop {
+  Loop loop = Loop::kOff;
+};
 
 /// The 3-D view: where from, how large, what over it.
 struct SetCamera {
@@ -127,9 +150,9 @@ struct CancelJob {
   JobId id;
 };
 
-using Command =
-    std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SelectDemonstration,
-                 SelectModel, SetPlayhead, Play, SetCamera, SetCameraPreset, SetViewSize, SetField, SetRollouts,
-                 RecordScripted, StopRecording, TrainModel, VerifyReplay, ExportVideo, ExportField, CancelJob>;
+using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview,
+                             SelectDemonstration, SelectModel, SetPlayhead, Play, SetSelection, CopyRun, SetSnapping,
+                             SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetField, SetRollouts, RecordScripted,
+                             StopRecording, TrainModel, VerifyReplay, ExportVideo, ExportField, CancelJob>;
 
 }  // namespace trocar::workbench

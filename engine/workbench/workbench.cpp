@@ -61,6 +61,8 @@ void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
   // The recording writes into the project that is open.
   if (recording) return keep_project("Stop the recording before opening another project");
   file = std::move(opened);
+  state.clipboard.reset();
+  state.selection.reset();
   state.load = opening.busy() ? LoadState::kLoading : LoadState::kReady;
   state.load_error.clear();
   state.path = file->path();
@@ -84,6 +86,7 @@ void Workbench::Impl::refresh_document() {
   // A preview is of what the document was.
   if (state.preview && state.preview->before != demonstration(state.demonstration)) on(EndPreview{});
   on(SetPlayhead{state.playhead_s});
+  on(SetSelection{state.selection});
   request_insight();
 }
 
@@ -112,15 +115,6 @@ std::string Workbench::Impl::description_of(std::int64_t node) const {
   const auto& nodes = file->history();
   const auto found = std::find_if(nodes.begin(), nodes.end(), [node](const HistoryNode& n) { return n.id == node; });
   return found == nodes.end() ? std::string() : found->description;
-}
-
-void Workbench::Impl::advance_playhead(double elapsed_s) {
-  if (state.play_speed == 0.0) return;
-  const auto shown = demonstration(state.demonstration);
-  if (!shown) return;
-  state.playhead_s += state.play_speed * elapsed_s;
-  if (state.playhead_s >= shown->end_s || state.playhead_s < shown->begin_s) state.play_speed = 0.0;
-  on(SetPlayhead{state.playhead_s});
 }
 
 void Workbench::Impl::poll_recording() {

@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 
+#include "engine/demonstration/join.h"
 #include "engine/workbench/jobs/field_job.h"
 #include "engine/workbench/jobs/film_job.h"
 #include "engine/workbench/jobs/train_job.h"
@@ -46,24 +45,33 @@ void Workbench::Impl::on(const OpenProject& command) {
 
 void Workbench::Impl::on(const CommitEdit& command) {
   if (!project_open()) return;
+  const auto* change = std::get_if<EditDemonstration>(&command.edit);
+  const auto before = change == nullptr ? nullptr : demonstration(change->demonstration);
   const Result<std::int64_t> id = file->commit(command.edit);
   if (!id) return log(Severity::kError, id.error().text());
-  log(Severity::kInfo, file->history().back().description);
   refresh_document();
+  std::string sentence = file->history().back().description;
+  const auto after = before == nullptr ? nullptr : demonstration(before->id);
+  if (after != nullptr) {
+    const std::string joins = demonstration::sentence_of(demonstration::joins_of(change->edit, *before, *after));
+    if (!joins.empty()) sentence += "; " + joins;
+    if (before->id == state.demonstration) follow(change->edit, *before, *after);
+  }
+  tell(std::move(sentence));
 }
 
 void Workbench::Impl::on(const Undo&) {
   if (!project_open()) return;
   const std::string undone = description_of(file->head());
   if (!succeeded(file->undo())) return;
-  log(Severity::kInfo, "Undid: " + undone);
   refresh_document();
+  tell("Undid: " + undone);
 }
 
 void Workbench::Impl::on(const Redo&) {
   if (!project_open() || !succeeded(file->redo())) return;
-  log(Severity::kInfo, "Did again: " + description_of(file->head()));
   refresh_document();
+  tell("Did again: " + description_of(file->head()));
 }
 
 void Workbench::Impl::on(const GoToHistory& command) {
@@ -90,6 +98,7 @@ void Workbench::Impl::on(const SelectDemonstration& command) {
   if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", command.id.value));
   state.demonstration = command.id;
   state.play_speed = 0.0;
+  state.selection.reset();
   on(EndPreview{});
   on(SetPlayhead{shown->begin_s});
 }
@@ -98,22 +107,6 @@ void Workbench::Impl::on(const SelectModel& command) {
   if (!model(command.id)) return log(Severity::kError, fmt::format("there is no model {}", command.id.value));
   state.model = command.id;
   request_insight();
-}
-
-void Workbench::Impl::on(const SetPlayhead& command) {
-  const auto shown = demonstration(state.demonstration);
-  const double wanted_s = std::isfinite(command.t_s) ? command.t_s : 0.0;
-  state.playhead_s = shown ? std::clamp(wanted_s, shown->begin_s, shown->end_s) : 0.0;
-  dirty = true;
-}
-
-void Workbench::Impl::on(const Play& command) {
-  const auto shown = demonstration(state.demonstration);
-  if (!shown || !std::isfinite(command.speed)) return;
-  state.play_speed = std::clamp(command.speed, -50.0, 50.0);
-  // From the end, play means once more from the beginning.
-  if (state.play_speed > 0.0 && state.playhead_s >= shown->end_s) on(SetPlayhead{shown->begin_s});
-  dirty = true;
 }
 
 void Workbench::Impl::on(const SetCamera& command) {

@@ -29,6 +29,10 @@ struct Workbench::Impl {
   void on(const SelectModel& command);
   void on(const SetPlayhead& command);
   void on(const Play& command);
+  void on(const SetSelection& command);
+  void on(const CopyRun& command);
+  void on(const SetSnapping& command);
+  void on(const SetLoop& command);
   void on(const SetCamera& command);
   void on(const SetCameraPreset& command);
   void on(const SetViewSize& command);
@@ -60,6 +64,13 @@ struct Workbench::Impl {
   /// Of a node of the history; "" for its root.
   std::string description_of(std::int64_t node) const;
   void advance_playhead(double elapsed_s);
+  /// What is played again and again; none: playing ends at the gate.
+  std::optional<TimeSpan> looped() const;
+  /// Says what was done, in the log and in the state.
+  void tell(std::string sentence);
+  /// Playhead and selection after an edit that took something out or put something in.
+  void follow(const demonstration::Edit& edit, const demonstration::Demonstration& before,
+              const demonstration::Demonstration& after);
   void poll_recording();
   bool poll();
   void poll_jobs();

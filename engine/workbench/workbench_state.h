@@ -44,7 +44,12 @@ struct WorkbenchState {
   /// What an edit that is being made would do, null if none is; for the selected demonstration.
   std::shared_ptr<const EditPreview> preview;
   double playhead_s = 0.0;
-  double play_speed = 0.0;  ///< 0: paused.
+  double play_speed = 0.0;             ///< 0: paused.
+  std::optional<TimeSpan> selection;   ///< In time, of the selected demonstration.
+  std::optional<Clipboard> clipboard;  ///< What can be pasted into any demonstration.
+  bool snapping = true;
+  Loop loop = Loop::kOff;
+  std::string done;  ///< What was last done, as a sentence.
 
   scene::OrbitCamera orbit;
   std::optional<scene::CameraPreset> camera_preset;  ///< Until the view is orbited.

@@ -93,7 +93,10 @@ Result<Demonstration> made_by(const Demonstration& document, const Splice& edit)
                                                                   moved(clip, by).shifted(place.tick), shift));
   const double begin_s = Tick{place.tick - edited.first_tick()}.seconds();
   const double end_s = Tick{last - edited.first_tick()}.seconds();
-  if (after == track.size() && edit.at_s >= document.end_s) edited.end_s = end_s;
+  // What goes in at the end of the gates, or in place of it, is meant to be seen.
+  const std::size_t gate = track.lower_bound(document.tick_after(document.end_s));
+  const bool at_gate = place.first <= gate && gate <= after;
+  if (at_gate || (after == track.size() && edit.at_s >= document.end_s)) edited.end_s = end_s;
   for (const SegmentSpan& span : clip.segments) {
     TROCAR_ASSIGN_OR_RETURN(edited,
                             made_by(edited, LabelSegment{span.label, begin_s + span.begin_s, begin_s + span.end_s}));
