@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/kinematics/chain.h"
+#include "engine/kinematics/reach.h"
 #include "engine/spatial/units.h"
 
 namespace trocar::kinematics {
@@ -25,12 +26,16 @@ double excess(const JointLimit& limit, double value) {
   return std::max({0.0, limit.low - value, value - limit.high});
 }
 
-/// The worst excess of all joints; a millimetre of insertion counts like a degree.
+/// A millimetre of insertion counts like a degree.
+double scale_of(int joint) {
+  return joint == kInsertion ? spatial::kRadiansPerDegree / spatial::kMetresPerMillimetre : 1.0;
+}
+
+/// The worst excess of all joints.
 double worst_excess(const PsmModel& model, const Joints& q) {
   double worst = 0.0;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const double scale = i == kInsertion ? spatial::kRadiansPerDegree / spatial::kMetresPerMillimetre : 1.0;
-    worst = std::max(worst, scale * excess(model.limits[i], q[i]));
+    worst = std::max(worst, scale_of(static_cast<int>(i)) * excess(model.limits[i], q[i]));
   }
   return worst;
 }
@@ -96,7 +101,10 @@ Status check_limits(const PsmModel& model, const Joints& q) {
   return {};
 }
 
-Result<Joints> inverse(const PsmModel& model, const spatial::Pose& X_WT) {
+namespace {
+
+/// The branch that is the least beyond the limits, the first without any if there is one.
+Result<Joints> nearest_branch(const PsmModel& model, const spatial::Pose& X_WT) {
   if (!X_WT.finite()) return fail(ErrorCode::kInvalidArgument, "the tool's pose is not finite");
   if (std::abs(X_WT.q.norm() - 1.0) > 1e-6) {
     return fail(ErrorCode::kInvalidArgument, "the tool's orientation is not a unit quaternion");
@@ -127,7 +135,30 @@ Result<Joints> inverse(const PsmModel& model, const spatial::Pose& X_WT) {
   if (!std::isfinite(least)) {
     return fail(ErrorCode::kOutOfReach, "the wrist pitch joint would be at the remote centre");
   }
+  return best;
+}
+
+}  // namespace
+
+Result<Joints> inverse(const PsmModel& model, const spatial::Pose& X_WT) {
+  TROCAR_ASSIGN_OR_RETURN(const Joints best, nearest_branch(model, X_WT));
   return check_limits(model, best).map([&] { return best; });
+}
+
+Result<Excess> excess_at(const PsmModel& model, const spatial::Pose& X_WT) {
+  TROCAR_ASSIGN_OR_RETURN(const Joints q, nearest_branch(model, X_WT));
+  Excess worst;
+  double most = 0.0;
+  for (int joint = 0; joint < kJointCount; ++joint) {
+    const auto i = static_cast<std::size_t>(joint);
+    const JointLimit& limit = model.limits[i];
+    const double beyond = excess(limit, q[i]);
+    const double weight = scale_of(joint) * beyond;
+    if (weight <= most) continue;
+    most = weight;
+    worst = {joint, beyond, q[i] < limit.low ? limit.low : limit.high};
+  }
+  return worst;
 }
 
 }  // namespace trocar::kinematics

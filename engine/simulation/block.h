@@ -5,12 +5,9 @@
 
 #include "engine/peg_board/peg_board.h"
 #include "engine/simulation/ode_handles.h"
+#include "engine/simulation/shapes.h"
 
 namespace trocar::simulation {
-
-constexpr int kBoxesPerBlock = 6;
-/// No point of a block is farther from its centre than this, in metres.
-constexpr double kBlockRadius_m = 0.0126;
 
 struct Block {
   OdeBody body;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/spatial/rotation.h"
+#include "engine/simulation/shapes.h"
 
 namespace trocar::simulation {
 namespace {
@@ -11,23 +11,13 @@ namespace {
 using kinematics::kTipFromWrist_m;
 using spatial::Pose;
 
-constexpr double kJawThickness_m = 0.0014;  ///< Along y_T, in which the jaws open.
-constexpr double kJawWidth_m = 0.0018;      ///< Along the hinge.
 constexpr double kJawMass_kg = 0.0005;
 constexpr double kServoStiffness_nm_per_rad = 1.0;
 constexpr double kServoDamping_nm_s_per_rad = 0.003;
-constexpr double kWristRadius_m = 0.0025;
-constexpr double kShaftRadius_m = 0.0040;
 
 /// +1 for jaw 0, which lies at +y_T, −1 for jaw 1.
 double side_of(std::size_t jaw) {
   return jaw == 0 ? 1.0 : -1.0;
-}
-
-/// X_YJ from the wrist-yaw joint to the middle of a jaw that is opened by `angle_rad`.
-Pose jaw_pose(std::size_t jaw, double angle_rad) {
-  const Eigen::Quaterniond turn = spatial::about_x(-side_of(jaw) * angle_rad);
-  return {turn * Eigen::Vector3d(0.0, side_of(jaw) * kJawThickness_m / 2.0, kTipFromWrist_m / 2.0), turn};
 }
 
 Pose base_pose(const ArmPosture& posture) {
