@@ -182,6 +182,10 @@ Result<std::vector<const Column*>> columns_named(const std::vector<std::string>&
   return order;
 }
 
+std::vector<std::string> kept_by_export() {
+  return {"every sample to the bit (times, setpoints, measured poses, joints, jaws, blocks, pedals, labels)"};
+}
+
 std::vector<std::string> lost_by_export(const demonstration::Demonstration& document) {
   std::vector<std::string> lossy{"who recorded it and how (provenance)", "its block, goal and outcome"};
   const demonstration::Recording& recording = *document.recording;

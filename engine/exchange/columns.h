@@ -37,6 +37,8 @@ Status sample_from_row(const std::vector<const Column*>& order, const std::vecto
 /// Errors: kInvalidArgument naming an unknown, doubled or missing column.
 Result<std::vector<const Column*>> columns_named(const std::vector<std::string>& names);
 
+/// What an export as a table brings back to the bit when it is imported.
+std::vector<std::string> kept_by_export();
 /// What an export leaves out, and what an import of `order` has to do without; each reads on after "without".
 std::vector<std::string> lost_by_export(const demonstration::Demonstration& document);
 std::vector<std::string> lost_by_import(const std::vector<const Column*>& order);

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstring>
+
 #include "engine/core/file.h"
 #include "engine/exchange/columns.h"
 #include "engine/exchange/csv.h"
 #include "engine/exchange/jigsaws.h"
+#include "engine/exchange/new_file.h"
 #include "engine/exchange/npy.h"
 
 namespace trocar::exchange {
@@ -16,6 +20,8 @@ std::string_view to_string(Format format) {
       return "csv";
     case Format::kNpy:
       return "npy";
+    case Format::kHdf5:
+      return "hdf5";
     case Format::kJigsaws:
       return "jigsaws";
   }
@@ -23,45 +29,51 @@ std::string_view to_string(Format format) {
 }
 
 Result<Format> format_from(std::string_view name) {
-  for (const Format format : {Format::kCsv, Format::kNpy, Format::kJigsaws}) {
+  for (const Format format : {Format::kCsv, Format::kNpy, Format::kHdf5, Format::kJigsaws}) {
     if (name == to_string(format)) return format;
   }
-  return fail(ErrorCode::kInvalidArgument, fmt::format("no format is named {}; there are csv, npy and jigsaws", name));
+  if (name == "robomimic") return Format::kHdf5;
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("no format is named {}; there are csv, npy, hdf5 and jigsaws", name));
 }
 
 Result<Format> guess_format(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  if (ending == ".csv" || ending == ".CSV") return Format::kCsv;
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+  if (ending == ".csv") return Format::kCsv;
   if (ending == ".npy") return Format::kNpy;
+  if (ending == ".hdf5" || ending == ".h5") return Format::kHdf5;
   if (ending == ".txt") return Format::kJigsaws;
   return tl::unexpected(
-      Error(ErrorCode::kInvalidArgument, "the ending names no format, give one with --format csv, npy or jigsaws")
+      Error(ErrorCode::kInvalidArgument, "the ending names no format, give one with --format csv, npy, hdf5 or jigsaws")
           .at(path.string()));
-}
-
-Result<std::vector<std::string>> export_demonstration(const demonstration::Demonstration& document,
-                                                      const std::filesystem::path& path, Format format) {
-  if (format == Format::kJigsaws) {
-    return fail(ErrorCode::kUnsupported, "JIGSAWS files can be read, not written");
-  }
-  TROCAR_RETURN_IF_ERROR(write_file(path, format == Format::kCsv ? to_csv(document) : to_npy(document)));
-  return lost_by_export(document);
 }
 
 namespace {
 
-Result<Imported> read(const std::filesystem::path& path, Format format, const ImportOptions& options) {
+Result<std::vector<Imported>> alone(Result<Imported> one) {
+  if (!one) return tl::unexpected(std::move(one).error());
+  std::vector<Imported> all;
+  all.push_back(std::move(*one));
+  return all;
+}
+
+Result<std::vector<Imported>> read(const std::filesystem::path& path, Format format, const ImportOptions& options) {
   if (!options.transcription.empty() && format != Format::kJigsaws) {
     return fail(ErrorCode::kInvalidArgument, "only JIGSAWS files have a transcription");
   }
+  if (!options.robomimic.only.empty() && format != Format::kHdf5) {
+    return fail(ErrorCode::kInvalidArgument, "only HDF5 files hold demonstrations to choose from");
+  }
+  if (format == Format::kHdf5) return read_robomimic(path, options.robomimic);
   TROCAR_ASSIGN_OR_RETURN(const std::string bytes, read_file(path));
-  if (format == Format::kCsv) return from_csv(bytes);
-  if (format == Format::kNpy) return from_npy(bytes);
+  if (format == Format::kCsv) return alone(from_csv(bytes));
+  if (format == Format::kNpy) return alone(from_npy(bytes));
   std::string transcription;
   if (!options.transcription.empty()) {
     TROCAR_ASSIGN_OR_RETURN(transcription, read_file(options.transcription));
   }
-  return from_jigsaws(bytes, transcription);
+  return alone(from_jigsaws(bytes, transcription));
 }
 
 /// Every pose of the sample, from the file's frame to the board's.
@@ -75,17 +87,128 @@ void place(demonstration::Sample& sample, const spatial::Pose& X_WF) {
   }
 }
 
+Status place_all(Imported& imported, const spatial::Pose& X_WF) {
+  if (X_WF == spatial::Pose{}) return {};
+  demonstration::Recording& recording = imported.recording;
+  for (demonstration::Sample& sample : recording.samples) place(sample, X_WF);
+  if (!recording.initial_world.empty()) {
+    recording.initial_world.clear();
+    recording.hashes.clear();
+    imported.lossy.emplace_back("a simulated world (what was moved cannot be replayed)");
+  }
+  return demonstration::check_samples(recording.samples);
+}
+
+/// "12,000 samples, …"; an error for what does not come back as it was.
+Result<std::string> compare(const Documents& documents, const std::vector<Imported>& read) {
+  const auto differ = [](std::string_view what) {
+    return fail(ErrorCode::kIo, fmt::format("what was written reads back with other {}; nothing is kept of it", what));
+  };
+  if (read.size() != documents.size()) return differ("demonstrations");
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const std::vector<demonstration::Sample> written = table_samples(*documents[i]);
+    const std::vector<demonstration::Sample>& back = read[i].recording.samples;
+    if (back.size() != written.size()) return differ("samples");
+    // An import may count time from another tick.
+    const std::int64_t shift = back.front().tick - written.front().tick;
+    for (std::size_t at = 0; at < back.size(); ++at) {
+      demonstration::Sample expected = written[at];
+      expected.tick += shift;
+      if (std::memcmp(&expected, &back[at], sizeof expected) != 0) return differ("numbers");
+    }
+    count += back.size();
+  }
+  return fmt::format("{} {} read again, equal to the bit", count, count == 1 ? "sample" : "samples");
+}
+
+/// Compares first what was made, then what is in the file.
+Result<std::string> write_text(const Documents& documents, const std::filesystem::path& path, Format format) {
+  const bool csv = format == Format::kCsv;
+  const std::string bytes = csv ? to_csv(*documents.front()) : to_npy(*documents.front());
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<Imported> made, alone(csv ? from_csv(bytes) : from_npy(bytes)));
+  TROCAR_ASSIGN_OR_RETURN(std::string compared, compare(documents, made));
+  TROCAR_RETURN_IF_ERROR(write_file(path, bytes));
+  TROCAR_ASSIGN_OR_RETURN(const std::string back, read_file(path));
+  if (back == bytes) return compared;
+  return fail(ErrorCode::kIo, "what was written reads back with other bytes; the disk is not to be trusted");
+}
+
+Result<std::string> write_hdf5(const Documents& documents, const std::filesystem::path& path, const Masks& masks) {
+  TROCAR_ASSIGN_OR_RETURN(const std::filesystem::path target, replaceable_file(path));
+  NewFile file(target);
+  TROCAR_RETURN_IF_ERROR(write_robomimic(documents, masks, file.path()));
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<Imported> back, read_robomimic(file.path(), {}));
+  TROCAR_ASSIGN_OR_RETURN(std::string compared, compare(documents, back));
+  TROCAR_RETURN_IF_ERROR(file.put_in_place());
+  return compared;
+}
+
+/// Without doubles, in the order in which they come.
+void unite(std::vector<std::string>& all, std::vector<std::string> more) {
+  for (std::string& one : more) {
+    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(std::move(one));
+  }
+}
+
+ExportReport report_of(const Documents& documents, Format format) {
+  ExportReport report;
+  for (const auto& document : documents) {
+    const bool table = format != Format::kHdf5;
+    unite(report.lossless, table ? kept_by_export() : kept_by_robomimic(*document));
+    unite(report.lossy, table ? lost_by_export(*document) : lost_by_robomimic(*document));
+    report.samples += document->gated().size();
+  }
+  return report;
+}
+
+Status check_export(const Documents& documents, Format format, const Masks& masks) {
+  if (format == Format::kJigsaws) return fail(ErrorCode::kUnsupported, "JIGSAWS files can be read, not written");
+  if (documents.empty()) return fail(ErrorCode::kInvalidArgument, "there is no demonstration to write");
+  if (format == Format::kHdf5) return {};
+  if (documents.size() > 1) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("a {} file holds one demonstration, {} go into hdf5", to_string(format), documents.size()));
+  }
+  return masks.empty() ? Status() : fail(ErrorCode::kInvalidArgument, "only hdf5 files have filter keys (--mask)");
+}
+
 }  // namespace
 
-Result<Imported> import_demonstration(const std::filesystem::path& path, Format format, const ImportOptions& options) {
-  Result<Imported> imported = read(path, format, options);
-  if (!imported) return tl::unexpected(std::move(imported).error().at(path.string()));
-  if (!(options.X_WF == spatial::Pose{})) {
-    for (demonstration::Sample& sample : imported->recording.samples) place(sample, options.X_WF);
-    TROCAR_RETURN_IF_ERROR(demonstration::check_samples(imported->recording.samples));
+Result<ExportReport> export_demonstrations(const Documents& documents, const std::filesystem::path& path, Format format,
+                                           const Masks& masks) {
+  TROCAR_RETURN_IF_ERROR(check_export(documents, format, masks));
+  ExportReport report = report_of(documents, format);
+  Result<std::string> compared =
+      format == Format::kHdf5 ? write_hdf5(documents, path, masks) : write_text(documents, path, format);
+  if (!compared) return tl::unexpected(std::move(compared).error().at(path.string()));
+  report.reread = std::move(*compared);
+  return report;
+}
+
+Result<std::vector<std::string>> export_demonstration(const demonstration::Demonstration& document,
+                                                      const std::filesystem::path& path, Format format) {
+  const auto shared = std::make_shared<const demonstration::Demonstration>(document);
+  TROCAR_ASSIGN_OR_RETURN(ExportReport report, export_demonstrations({shared}, path, format));
+  return std::move(report.lossy);
+}
+
+Result<std::vector<Imported>> import_demonstrations(const std::filesystem::path& path, Format format,
+                                                    const ImportOptions& options) {
+  Result<std::vector<Imported>> all = read(path, format, options);
+  if (!all) return tl::unexpected(std::move(all).error().at(path.string()));
+  for (Imported& imported : *all) {
+    TROCAR_RETURN_IF_ERROR(place_all(imported, options.X_WF));
+    demonstration::Provenance& provenance = imported.recording.provenance;
+    const bool told = !provenance.device.empty() || provenance.operator_kind != "imported";
+    if (!told) provenance.device = path.filename().string();
   }
-  imported->recording.provenance.device = path.filename().string();
-  return imported;
+  return all;
+}
+
+Result<Imported> import_demonstration(const std::filesystem::path& path, Format format, const ImportOptions& options) {
+  TROCAR_ASSIGN_OR_RETURN(std::vector<Imported> all, import_demonstrations(path, format, options));
+  return std::move(all.front());
 }
 
 }  // namespace trocar::exchange

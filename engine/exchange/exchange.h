@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/demonstration/demonstration.h"
 #include "engine/exchange/imported.h"
+#include "engine/exchange/robomimic.h"
 #include "engine/spatial/pose.h"
 
 namespace trocar::exchange {
@@ -15,27 +17,45 @@ namespace trocar::exchange {
 enum class Format {
   kCsv,
   kNpy,
+  kHdf5,     ///< In robomimic's layout; the one that holds several demonstrations.
   kJigsaws,  ///< Is read only.
 };
 std::string_view to_string(Format format);
-/// From a name as the command line takes it, "csv", "npy" or "jigsaws". Errors: kInvalidArgument listing the names.
+/// From a name as the command line takes it, "csv", "npy", "hdf5" (or "robomimic") or "jigsaws". Errors:
+/// kInvalidArgument listing the names.
 Result<Format> format_from(std::string_view name);
 /// From the file's ending; text is JIGSAWS. Errors: kInvalidArgument.
 Result<Format> guess_format(const std::filesystem::path& path);
 
-/// Writes the gated samples; the file is whole or not there. Returns what is not carried (`lossy`).
-/// Errors: kIo; kUnsupported for a format that is read only.
+struct ExportReport {
+  std::vector<std::string> lossless;  ///< What an import brings back as it is.
+  std::vector<std::string> lossy;     ///< What is not carried.
+  std::string reread;                 ///< What was compared after writing, and with which result.
+  std::size_t samples = 0;
+};
+
+/// Writes the gated samples, reads them again and compares; the file is whole and right, or not there.
+/// Errors: kIo, also if what was read again differs; kUnsupported for a format that is read only; kInvalidArgument for
+/// several demonstrations or filter keys where the format has none.
+Result<ExportReport> export_demonstrations(const Documents& documents, const std::filesystem::path& path, Format format,
+                                           const Masks& masks = {});
+
+/// One demonstration. Returns what is not carried (`lossy`). Errors: those of `export_demonstrations`.
 Result<std::vector<std::string>> export_demonstration(const demonstration::Demonstration& document,
                                                       const std::filesystem::path& path, Format format);
 
 struct ImportOptions {
   std::filesystem::path transcription;  ///< Of gestures, for JIGSAWS; may be empty.
   spatial::Pose X_WF;                   ///< Of the file's frame F; every pose is moved by it.
+  RobomimicOptions robomimic;           ///< For HDF5.
 };
 
-/// The provenance's `device` is the file's name; the time of import is left to the caller.
-/// Errors: kIo; kInvalidArgument for a transcription that the format does not have; those of `from_csv`, `from_npy`
-/// and `from_jigsaws`.
+/// All that the file holds, at least one. The provenance's `device` is the file's name, unless Trocar wrote another;
+/// the time of import is left to the caller. Errors: kIo; kInvalidArgument for an option that the format does not have;
+/// those of `from_csv`, `from_npy`, `from_jigsaws` and `read_robomimic`.
+Result<std::vector<Imported>> import_demonstrations(const std::filesystem::path& path, Format format,
+                                                    const ImportOptions& options = {});
+/// The first of them.
 Result<Imported> import_demonstration(const std::filesystem::path& path, Format format,
                                       const ImportOptions& options = {});
 
