@@ -2,47 +2,9 @@
 
 #include "app/commands/demo_commands.h"
 #include "engine/demonstration/diff.h"
-#include "engine/demonstration/problems.h"
 
 namespace trocar::app {
 namespace {
-
-struct CheckArguments {
-  std::string project;
-  std::string demonstration;
-};
-
-void bind_check(CLI::App& verb, CheckArguments& arguments) {
-  verb.add_option("PROJECT", arguments.project, "The project file")->required();
-  verb.add_option("DEMO", arguments.demonstration, "Its id or name")->required();
-}
-
-Result<Answer> run_check(const CheckArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
-                          open_to_read(arguments.project, console, Models::kDescribed));
-  TROCAR_ASSIGN_OR_RETURN(const auto document, find_demonstration(*file.project(), arguments.demonstration));
-  std::array<std::size_t, 3> counts{};
-  Answer answer;
-  answer.json = {{"id", document->id.value}, {"problems", Json::array()}};
-  for (const demonstration::Problem& problem : demonstration::problems(*document, spatial::Grid{})) {
-    ++counts[static_cast<std::size_t>(problem.severity)];
-    answer.json["problems"].push_back({{"kind", demonstration::to_string(problem.kind)},
-                                       {"severity", demonstration::to_string(problem.severity)},
-                                       {"begin_s", problem.begin_s},
-                                       {"end_s", problem.end_s},
-                                       {"message", problem.message},
-                                       {"fix", problem.fix}});
-    answer.text +=
-        fmt::format("{:<8} {:6.2f} … {:6.2f} s  {}{}\n", demonstration::to_string(problem.severity), problem.begin_s,
-                    problem.end_s, problem.message, problem.fix.empty() ? "" : fmt::format("  ({})", problem.fix));
-  }
-  const auto [notes, warnings, errors] = counts;
-  answer.summary =
-      fmt::format("{}, {}, {}", counted(errors, "error"), counted(warnings, "warning"), counted(notes, "note"));
-  answer.text += fmt::format("{}: {}", document->name, answer.summary);
-  answer.passed = errors == 0;
-  return answer;
-}
 
 struct DiffArguments {
   std::string project;
@@ -92,8 +54,6 @@ Result<Answer> run_diff(const DiffArguments& arguments, Console& console) {
 }  // namespace
 
 void add_demo_check_commands(CLI::App& noun, Action& chosen) {
-  add_verb<CheckArguments>(noun, chosen, "check", "List what is wrong or odd; exit 1 if an error is among it",
-                           bind_check, run_check);
   add_verb<DiffArguments>(noun, chosen, "diff", "Say what edits changed, or how two demonstrations differ", bind_diff,
                           run_diff);
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "app/commands/demo_commands.h"
-#include "engine/demonstration/problems.h"
 #include "engine/exchange/exchange.h"
 #include "engine/exchange/findings.h"
+#include "engine/review/review.h"
 
 namespace trocar::app {
 namespace {
@@ -22,12 +22,9 @@ std::string lossy_text(const std::vector<std::string>& lossy) {
 
 /// Warnings and errors.
 std::pair<std::size_t, std::size_t> count_problems(const demonstration::Demonstration& document) {
-  std::pair<std::size_t, std::size_t> counts{0, 0};
-  for (const demonstration::Problem& problem : demonstration::problems(document, spatial::Grid{})) {
-    if (problem.severity == demonstration::Severity::kWarning) ++counts.first;
-    if (problem.severity == demonstration::Severity::kError) ++counts.second;
-  }
-  return counts;
+  const review::Review found = review::Reviewer().make(document);
+  return {review::count_of(found.problems, demonstration::Severity::kWarning),
+          review::count_of(found.problems, demonstration::Severity::kError)};
 }
 
 struct ImportArguments {

@@ -35,7 +35,7 @@ void check_closing(const Demonstration& document, std::size_t arm, std::vector<P
     found.push_back({ProblemKind::kJaw, Severity::kWarning, t_s, t_s,
                      fmt::format("the {} gripper closes on nothing, the nearest block is {:.0f} mm away",
                                  arm == 0 ? "left" : "right", 1e3 * (distance_m - peg_board::kBlockCircumradius_m)),
-                     ""});
+                     "", static_cast<int>(arm)});
   }
 }
 

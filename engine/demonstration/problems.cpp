@@ -101,7 +101,7 @@ void check_lattice(const Demonstration& document, const spatial::Grid& grid, Pro
       found.push_back({ProblemKind::kLattice, Severity::kWarning, each.begin_s, each.end_s,
                        fmt::format("{} samples of segment {} lie outside of the learning cube, by up to {:.1f} mm",
                                    each.count, letter(label), 1e3 * each.worst),
-                       ""});
+                       "", 0});
     }
   }
 }
@@ -130,7 +130,7 @@ void check_motion(const Demonstration& document, const MotionBounds& bounds, Pro
             {measure.kind, Severity::kWarning, span.begin_s, span.end_s,
              fmt::format("{} of the {} tool reaches {:.0f} {}, more than {:.0f}", to_string(measure.kind), kTools[arm],
                          measure.scale * span.worst, measure.unit, measure.scale * measure.bound),
-             ""});
+             "", static_cast<int>(arm)});
       }
     }
   }
@@ -221,6 +221,16 @@ std::string_view to_string(ProblemKind kind) {
       return "idle";
     case ProblemKind::kJaw:
       return "jaw";
+    case ProblemKind::kCollision:
+      return "collision";
+    case ProblemKind::kClearance:
+      return "clearance";
+    case ProblemKind::kJoint:
+      return "joint";
+    case ProblemKind::kSafeSet:
+      return "safe-set";
+    case ProblemKind::kEnds:
+      return "ends";
   }
   return "unknown";
 }

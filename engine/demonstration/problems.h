@@ -22,6 +22,11 @@ enum class ProblemKind {
   kSegments,      ///< "segments": one is missing, out of order, or a stretch has no label
   kIdle,          ///< "idle": an end in which nothing moves
   kJaw,           ///< "jaw": closed on nothing, handed over without both arms holding, or beyond its limits
+  kCollision,     ///< "collision": a tool goes into something
+  kClearance,     ///< "clearance": a tool passes too near to something
+  kJoint,         ///< "joint": a setpoint is beyond a joint's limit
+  kSafeSet,       ///< "safe-set": a segment leaves the cells that a model knows
+  kEnds,          ///< "ends": the transfer begins or ends elsewhere than it should
 };
 std::string_view to_string(ProblemKind kind);
 
@@ -39,6 +44,8 @@ struct Problem {
   double end_s = 0.0;
   std::string message;  ///< One sentence without a full stop.
   std::string fix;      ///< An edit as `trocar demo edit` takes it: "trim --from 0.40 --to 12.30"; empty: none.
+  int arm = -1;         ///< 0 left, 1 right, −1 both or neither.
+  std::string id{};     ///< "speed-2", unique in a review; empty before.
 };
 
 /// What a tool may do; the values of the guard of the simulated arms, and the jerk of reaching its acceleration in
@@ -49,7 +56,8 @@ struct MotionBounds {
   double jerk_m_s3 = 400.0;
 };
 
-/// Of what lies between the gates, by time. Neighbouring samples with the same problem are one entry.
+/// Of what lies between the gates, by time; only what samples and labels alone tell. All problems, fixes included, are
+/// in `review::Reviewer`. Neighbouring samples with the same problem are one entry.
 std::vector<Problem> problems(const Demonstration& document, const spatial::Grid& grid,
                               const MotionBounds& bounds = {});
 

@@ -53,13 +53,13 @@ void check_places(const Demonstration& document, std::size_t arm, std::vector<Pr
                      span.begin_s, span.end_s,
                      fmt::format("the {} tool is up to {:.3g} mm outside of where the arms work, in {} samples",
                                  kTools[arm], 1e3 * span.worst, span.count),
-                     ""});
+                     "", static_cast<int>(arm)});
   }
   for (const ProblemSpan& span : jaw.spans()) {
     found.push_back({ProblemKind::kJaw, Severity::kError, span.begin_s, span.end_s,
                      fmt::format("the {} jaws are told to go {:.3g}° beyond their limits of −40° and 80°", kTools[arm],
                                  span.worst * 180.0 / std::numbers::pi),
-                     ""});
+                     "", static_cast<int>(arm)});
   }
 }
 
@@ -98,19 +98,19 @@ void check_steps(const Demonstration& document, std::size_t arm, const MotionBou
     found.push_back({ProblemKind::kSpeed, Severity::kError, span.begin_s, span.end_s,
                      fmt::format("the {} tool's setpoint leaps by {:.3g} mm from one sample to the next", kTools[arm],
                                  1e3 * span.worst),
-                     ""});
+                     "", static_cast<int>(arm)});
   }
   for (const ProblemSpan& span : speeds.spans()) {
     found.push_back({ProblemKind::kSpeed, Severity::kWarning, span.begin_s, span.end_s,
                      fmt::format("the {} tool's setpoint goes at {:.0f} mm/s, more than {:.0f}", kTools[arm],
                                  1e3 * span.worst, 1e3 * bounds.speed_m_s),
-                     ""});
+                     "", static_cast<int>(arm)});
   }
   for (const ProblemSpan& span : jaws.spans()) {
     found.push_back({ProblemKind::kJaw, Severity::kWarning, span.begin_s, span.end_s,
                      fmt::format("the {} jaws are told to turn at {:.3g} rad/s, more than {:.0f}", kTools[arm],
                                  span.worst, kJawRate_rad_s),
-                     ""});
+                     "", static_cast<int>(arm)});
   }
 }
 

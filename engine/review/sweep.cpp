@@ -132,6 +132,26 @@ Nearest nearest_of(Bounds& bounds, const Nearest& before, const Measure& measure
   return best;
 }
 
+Separation apart_from(const RoundedBox& shape, const std::array<RoundedBox, simulation::kBoxesPerBlock>& block) {
+  Separation least = separation(shape, block.front());
+  for (const RoundedBox& box : block) {
+    const Separation other = separation(shape, box);
+    if (other.distance_m < least.distance_m) least = other;
+  }
+  return least;
+}
+
+ToolShape shape_of(const Sample& sample, std::size_t arm) {
+  const kinematics::PsmModel model = kinematics::psm_model(kinematics::kArmSides[arm]);
+  spatial::Pose X_WT = sample.arms[arm].measured.pose();
+  X_WT.q.normalize();
+  return tool_shape(model, X_WT, static_cast<double>(sample.arms[arm].jaw_rad));
+}
+
+Cylinder peg_shape(int peg) {
+  return {peg < kBlockCount ? start_peg(peg) : goal_peg(peg - kBlockCount), kPegRadius_m, kPegHeight_m};
+}
+
 bool same(const CompactPose& a, const CompactPose& b) {
   return a.p == b.p && a.q_wxyz == b.q_wxyz;
 }
@@ -154,10 +174,7 @@ Sweep::Sweep(int block)
       tool.other[part].fill(kUnmeasured);
     }
   }
-  for (int i = 0; i < kPegCount; ++i) {
-    const Vector3d foot = i < kBlockCount ? start_peg(i) : goal_peg(i - kBlockCount);
-    peg_shapes_[static_cast<std::size_t>(i)] = {foot, kPegRadius_m, kPegHeight_m};
-  }
+  for (int i = 0; i < kPegCount; ++i) peg_shapes_[static_cast<std::size_t>(i)] = peg_shape(i);
 }
 
 void Sweep::move_blocks(const Sample& sample) {
@@ -272,6 +289,25 @@ SampleReview Sweep::next(const Sample& sample) {
   for (std::size_t i = 0; i < 2; ++i) tools_[i].last = review[i].nearest;
   started_ = true;
   return review;
+}
+
+Separation separation_at(const Sample& sample, std::size_t arm, Obstacle obstacle, const Nearest& nearest) {
+  const RoundedBox shape = shape_of(sample, arm)[static_cast<std::size_t>(nearest.part)];
+  switch (obstacle) {
+    case Obstacle::kPeg:
+      return separation(shape, peg_shape(nearest.index));
+    case Obstacle::kBlock: {
+      spatial::Pose X_WK = sample.blocks[nearest.index].pose();
+      X_WK.q.normalize();
+      return apart_from(shape, block_shape(X_WK));
+    }
+    case Obstacle::kOtherTool:
+      return separation(shape, shape_of(sample, 1 - arm)[nearest.index]);
+    case Obstacle::kBoard:
+      break;
+  }
+  // Out of the board is up.
+  return {static_cast<double>(nearest.distance_m), Vector3d::UnitZ()};
 }
 
 }  // namespace trocar::review

@@ -56,4 +56,8 @@ class Sweep {
   std::array<Tool, 2> tools_;
 };
 
+/// The separation of the pair of shapes that a review found nearest; the tool is the first shape.
+Separation separation_at(const demonstration::Sample& sample, std::size_t arm, Obstacle obstacle,
+                         const Nearest& nearest);
+
 }  // namespace trocar::review

@@ -1,0 +1,251 @@
+#include "engine/review/fixes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "engine/demonstration/edit_words.h"
+#include "engine/demonstration/edits.h"
+#include "engine/demonstration/jaw_limits.h"
+#include "engine/demonstration/motion.h"
+
+namespace trocar::review {
+namespace {
+
+using namespace demonstration;
+
+constexpr double kFarthest_m = 0.020;
+/// What a speed is brought to, of what it may be: a cap that is met to the digit would be one by rounding only.
+constexpr double kBelowBound = 0.9;
+
+Arms arms_of(const Problem& problem) {
+  return problem.arm == 0 ? Arms::kLeft : problem.arm == 1 ? Arms::kRight : Arms::kBoth;
+}
+
+/// A time as it is typed; outwards, so that the span that is meant is in the one that is typed.
+double down(double t_s, double margin_s, double low_s) {
+  return std::max(std::floor((t_s - margin_s) * 100.0) / 100.0, low_s);
+}
+double up(double t_s, double margin_s, double high_s) {
+  return std::min(std::ceil((t_s + margin_s) * 100.0) / 100.0, high_s);
+}
+
+template <typename Edited>
+Edited over(const Demonstration& document, const Problem& problem, double margin_s) {
+  Edited edit;
+  edit.from_s = down(problem.begin_s, margin_s, document.begin_s);
+  edit.to_s = up(problem.end_s, margin_s, document.end_s);
+  return edit;
+}
+
+std::optional<Edit> speed_fix(const Demonstration& document, const Problem& problem, const MotionBounds& bounds) {
+  auto edit = over<Retime>(document, problem, 0.05);
+  edit.mode = RetimeTo::kSpeedCap;
+  edit.speed_m_s = kBelowBound * bounds.speed_m_s;
+  return edit;
+}
+
+/// A new motion from before a leap or a gap to behind it, slow enough.
+std::optional<Edit> bridge_fix(const Demonstration& document, const Problem& problem, const MotionBounds& bounds,
+                               double margin_s) {
+  auto edit = over<Bridge>(document, problem, margin_s);
+  edit.arms = arms_of(problem);
+  const Sample from = document.sample_at(edit.from_s);
+  const Sample to = document.sample_at(edit.to_s);
+  const double seconds = document.time_of(to) - document.time_of(from);
+  if (!(seconds > 0.0)) return std::nullopt;
+  constexpr double kPeakOfMinimumJerk = 1.875;
+  double farthest_m = 0.0;
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    if (problem.arm >= 0 && static_cast<std::size_t>(problem.arm) != arm) continue;
+    farthest_m = std::max(farthest_m, (measured_tip(to, arm) - measured_tip(from, arm)).norm());
+  }
+  const double cap_m_s = kBelowBound * bounds.speed_m_s;
+  if (kPeakOfMinimumJerk * farthest_m / seconds > cap_m_s) edit.peak_speed_m_s = cap_m_s;
+  return edit;
+}
+
+std::optional<Edit> smooth_fix(const Demonstration& document, const Problem& problem) {
+  auto edit = over<Smooth>(document, problem, 0.25);
+  edit.arms = arms_of(problem);
+  edit.filter = Filter::kGaussian;
+  return edit;
+}
+
+std::size_t labels_of(const Demonstration& document) {
+  std::set<Segment> labels;
+  for (const SegmentSpan& span : document.segments) labels.insert(span.label);
+  return labels.size();
+}
+
+/// Only where a proposal knows no fewer segments than there are, and another arrangement of them.
+std::optional<Edit> label_fix(const Demonstration& document) {
+  const Result<Demonstration> proposed = transformed(document, ProposeLabels{});
+  if (!proposed || proposed->segments == document.segments) return std::nullopt;
+  if (labels_of(*proposed) < labels_of(document)) return std::nullopt;
+  return ProposeLabels{};
+}
+
+std::optional<Edit> jaw_fix(const Demonstration& document, const Problem& problem) {
+  if (problem.severity != Severity::kError || problem.arm < 0) return std::nullopt;
+  const Sample sample = document.sample_at(problem.begin_s);
+  auto edit = over<SetJaw>(document, problem, 0.0);
+  edit.arms = arms_of(problem);
+  edit.jaw_rad =
+      std::clamp(sample.arms[static_cast<std::size_t>(problem.arm)].setpoint_jaw_rad, kJawLow_rad, kJawHigh_rad);
+  edit.ramp_s = 0.0;
+  return edit;
+}
+
+std::optional<Edit> lattice_fix(const Demonstration& document, const Problem& problem, const spatial::Grid& grid) {
+  constexpr double kInside_m = 1e-4;
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kInside_m);
+  const Eigen::Vector3d low = grid.p_WGo + margin;
+  const Eigen::Vector3d high = (grid.p_WGo.array() + grid.cell_m * grid.n).matrix() - margin;
+  std::vector<Need> needs;
+  Eigen::Vector3d worst{0.0, 0.0, 0.0};
+  double at_s = problem.begin_s;
+  for (const Sample& sample : document.samples_within(problem.begin_s, problem.end_s)) {
+    const Eigen::Vector3d p_WT = measured_tip(sample, 0);
+    const Eigen::Vector3d away = p_WT.cwiseMax(low).cwiseMin(high) - p_WT;
+    needs.push_back({document.time_of(sample), away.norm()});
+    if (away.norm() <= worst.norm()) continue;
+    worst = away;
+    at_s = needs.back().t_s;
+  }
+  if (!(worst.norm() > 0.0)) return std::nullopt;
+  return moved_away(0, at_s, worst.normalized(), needs);
+}
+
+std::optional<Edit> fix_of(const Demonstration& document, const ReviewOptions& options, const Problem& problem) {
+  switch (problem.kind) {
+    case ProblemKind::kSpeed:
+      // A leap from one sample to the next is no motion that could be slowed down.
+      return problem.severity == Severity::kError ? bridge_fix(document, problem, options.bounds, 0.15)
+                                                  : speed_fix(document, problem, options.bounds);
+    case ProblemKind::kAcceleration:
+    case ProblemKind::kJerk:
+      return smooth_fix(document, problem);
+    case ProblemKind::kTime:
+      if (problem.end_s <= problem.begin_s) return std::nullopt;
+      return bridge_fix(document, problem, options.bounds, 0.0);
+    case ProblemKind::kJaw:
+      return jaw_fix(document, problem);
+    case ProblemKind::kLattice:
+      return lattice_fix(document, problem, options.grid);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::string words_of_fix(const Edit& edit) {
+  const std::vector<std::string> words = to_words(edit);
+  const Edit usual = std::visit([]<typename Edited>(const Edited&) { return Edit(Edited{}); }, edit);
+  const std::vector<std::string> usual_words = to_words(usual);
+  std::vector<std::string> kept{words.front()};
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const bool named = words[i].starts_with("--") && words[i].find('=') == std::string::npos;
+    const std::size_t value = named ? i + 1 : i;
+    const bool when = words[i] == "--from" || words[i] == "--to" || words[i] == "--at";
+    if (when || words[value] != usual_words[value]) {
+      for (std::size_t k = i; k <= value; ++k) kept.push_back(words[k]);
+    }
+    i = value;
+  }
+  return fmt::format("{}", fmt::join(kept, " "));
+}
+
+Result<Edit> edit_of_fix(const Problem& problem) {
+  if (problem.fix.empty()) {
+    return fail(ErrorCode::kNotFound, fmt::format("{} has no quick fix: {}", problem.id, problem.message));
+  }
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<std::string> words, split_words(problem.fix));
+  return edit_from_words(words);
+}
+
+double fade(const MoveTool& edit, double t_s) {
+  const double share = std::min(std::abs(t_s - edit.at_s) / edit.radius_s, 1.0);
+  return 0.5 * (1.0 + std::cos(std::numbers::pi * share));
+}
+
+std::optional<MoveTool> moved_away(std::size_t arm, double at_s, const Eigen::Vector3d& direction,
+                                   const std::vector<Need>& needs) {
+  double reach_s = 0.0;
+  for (const Need& need : needs) reach_s = std::max(reach_s, std::abs(need.t_s - at_s));
+  MoveTool edit;
+  edit.arms = arm == 0 ? Arms::kLeft : Arms::kRight;
+  edit.at_s = std::round(at_s * 200.0) / 200.0;
+  edit.radius_s = std::ceil(std::max(0.4, 2.0 * reach_s) * 100.0) / 100.0;
+  double by_m = 0.0;
+  for (const Need& need : needs) {
+    by_m = std::max(by_m, need.by_m / std::max(fade(edit, need.t_s), 1e-3));
+  }
+  if (!(by_m > 0.0) || by_m > kFarthest_m) return std::nullopt;
+  // In whole micrometres.
+  edit.by_m = 1e-6 * (1e6 * by_m * direction).array().round().matrix();
+  return edit;
+}
+
+namespace {
+
+std::array<std::size_t, 3> score_of(const std::vector<Problem>& problems) {
+  return {count_of(problems, Severity::kError), count_of(problems, Severity::kWarning),
+          count_of(problems, Severity::kInfo)};
+}
+
+/// The worst problem with a fix that was not tried yet.
+const Problem* next_of(const std::vector<Problem>& problems, const std::set<std::string>& tried) {
+  const Problem* next = nullptr;
+  for (const Problem& problem : problems) {
+    if (problem.fix.empty() || tried.contains(problem.fix)) continue;
+    if (next == nullptr || problem.severity > next->severity) next = &problem;
+  }
+  return next;
+}
+
+}  // namespace
+
+std::vector<Edit> fixes_of_all(const Demonstration& document, const ReviewOptions& options) {
+  constexpr std::size_t kMostTries = 200;
+  Reviewer reviewer;
+  Demonstration now = document;
+  Review review = reviewer.make(now, options);
+  std::vector<Edit> edits;
+  std::set<std::string> tried;
+  while (tried.size() < kMostTries) {
+    const Problem* problem = next_of(review.problems, tried);
+    if (problem == nullptr) break;
+    tried.insert(problem->fix);
+    const Result<Edit> edit = edit_of_fix(*problem);
+    if (!edit) continue;
+    Result<Demonstration> mended = demonstration::apply(now, *edit);
+    if (!mended) continue;
+    Review after = reviewer.make(*mended, options);
+    if (score_of(after.problems) >= score_of(review.problems)) continue;
+    edits.push_back(*edit);
+    now = std::move(*mended);
+    review = std::move(after);
+  }
+  return edits;
+}
+
+void add_fixes(const Demonstration& document, const ReviewOptions& options, std::vector<Problem>& problems) {
+  const bool labelled = std::none_of(problems.begin(), problems.end(),
+                                     [](const Problem& problem) { return problem.kind == ProblemKind::kSegments; });
+  const std::optional<Edit> labels = labelled ? std::nullopt : label_fix(document);
+  for (Problem& problem : problems) {
+    if (!problem.fix.empty()) continue;
+    const std::optional<Edit> fix =
+        problem.kind == ProblemKind::kSegments ? labels : fix_of(document, options, problem);
+    if (fix) problem.fix = words_of_fix(*fix);
+  }
+}
+
+}  // namespace trocar::review
