@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/demonstration/edits.h"
-#include "engine/review/clearance.h"
+#include "engine/review/review.h"
 #include "tests/support/recorded_transfer.h"
 
 namespace {
@@ -35,6 +35,32 @@ void clearance_minute(benchmark::State& state) {
     benchmark::DoNotOptimize(maker.make(document));
   }
 }
+/// The whole list, with fixes.
+void problems_minute(benchmark::State& state) {
+  const demonstration::Demonstration document = minute();
+  for (auto _ : state) {
+    review::Reviewer reviewer;
+    benchmark::DoNotOptimize(reviewer.make(document));
+  }
+}
+BENCHMARK(problems_minute)->Name("problems_minute")->Unit(benchmark::kMillisecond);
+
+/// As while somebody drags a waypoint: the same minute with a second of it moved, again and again elsewhere.
+void problems_edit(benchmark::State& state) {
+  const demonstration::Demonstration document = minute();
+  std::vector<demonstration::Demonstration> versions;
+  for (int i = 0; i < 8; ++i) {
+    demonstration::MoveTool move;
+    move.at_s = 5.0;
+    move.by_m = {0.0, 0.0, 0.0005 * (i + 1)};
+    versions.push_back(demonstration::apply(document, move).value());
+  }
+  review::Reviewer reviewer;
+  std::size_t next = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(reviewer.make(versions[next++ % versions.size()]));
+}
+BENCHMARK(problems_edit)->Name("problems_edit")->Unit(benchmark::kMillisecond);
+
 BENCHMARK(clearance_minute)->Name("clearance_minute")->Unit(benchmark::kMillisecond);
 
 }  // namespace
