@@ -53,7 +53,7 @@ void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settin
   if (menu == "File") draw_recent(ui, settings, requests);
 }
 
-constexpr std::array<const char*, 5> kMenus{"File", "Edit", "View", "Transport", "Help"};
+constexpr std::array<const char*, 6> kMenus{"File", "Edit", "Select", "View", "Transport", "Help"};
 
 // How much of the menu bar is spelled out; the first for which there is room is taken.
 enum class BarWords : std::uint8_t { kAll, kIcons, kOneMenu };
@@ -152,7 +152,8 @@ void draw_menus(Ui& ui, const WorkbenchState& state, const Settings& settings, B
   if (detail != BarWords::kOneMenu) {
     for (const char* menu : kMenus) draw_menu(ui, state, settings, menu, requests);
   } else {
-    note_rect(ui, "menu", "All menus", "", menu_rect(ui, icon::kBars), {.help = "File, Edit, View, Transport, Help"});
+    note_rect(ui, "menu", "All menus", "", menu_rect(ui, icon::kBars),
+              {.help = "File, Edit, Select, View, Transport, Help"});
     const bool open = ImGui::BeginMenu(icon::kBars);
     if (open) ui.items().set_last_value("open");
     if (open) {
@@ -330,7 +331,8 @@ Requests draw_status_line(Ui& ui, const WorkbenchState& state, const StatusLine&
   const float right = ImGui::GetWindowWidth() - ui.px(10);
   const std::string project = state.project == nullptr ? std::string("No project") : shown_path(state.path);
   ImGui::SetCursorPos({ui.px(12), y});
-  const std::string hint = line.hint.empty() ? project : line.hint;
+  const bool tells = !line.done.empty() && (line.hint.empty() || line.just_done);
+  const std::string hint = tells ? line.done : line.hint.empty() ? project : line.hint;
   const std::string shown = fitted(hint, 0.55F * right);
   {
     const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);

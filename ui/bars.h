@@ -18,6 +18,8 @@ float tool_bar_height(const Ui& ui);
 
 struct StatusLine {
   std::string hint;          ///< Of what is under the pointer, from the last frame.
+  std::string done;          ///< What was last done.
+  bool just_done = false;    ///< The pointer has rested since: it is told in place of the hint.
   std::string last_command;  ///< As the command line would say it.
 };
 Requests draw_status_line(Ui& ui, const WorkbenchState& state, const StatusLine& line);

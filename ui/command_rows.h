@@ -25,7 +25,10 @@ struct RowData {
 };
 
 std::span<const RowData> file_rows();
+std::span<const RowData> undo_rows();
+std::span<const RowData> clipboard_rows();
 std::span<const RowData> edit_rows();
+std::span<const RowData> selection_rows();
 std::span<const RowData> view_rows();
 std::span<const RowData> transport_rows();
 std::span<const RowData> help_rows();
@@ -33,6 +36,8 @@ std::span<const RowData> help_rows();
 /// Why nothing can be done with the selected demonstration or model; "" if it can.
 std::string no_demonstration(const WorkbenchState& state);
 std::string no_model(const WorkbenchState& state);
+/// Why the selected demonstration cannot be edited now; "" if it can.
+std::string cannot_edit(const WorkbenchState& state);
 
 inline Requests one(Request request) {
   return {std::move(request)};

@@ -21,11 +21,6 @@ std::string cannot_record(const State& state) {
   return state.live ? "A transfer is being recorded" : "";
 }
 
-std::string cannot_edit(const State& state) {
-  if (std::string reason = cannot_change(state); !reason.empty()) return reason;
-  return state.live ? "A transfer is being recorded" : no_demonstration(state);
-}
-
 // Half a sample: nothing lies between.
 constexpr double kSameTime_s = 0.0025;
 
@@ -89,6 +84,17 @@ Requests trim_in(const State& state) {
 
 Requests trim_out(const State& state) {
   return trim(state, selected_demonstration(state)->begin_s, state.playhead_s);
+}
+
+std::string cannot_clear_gates(const State& state) {
+  if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
+  const auto shown = selected_demonstration(state);
+  const bool whole = shown->begin_s <= 0.0 && shown->end_s >= shown->full_duration_s();
+  return whole ? "Nothing is trimmed" : "";
+}
+
+Requests clear_gates(const State& state) {
+  return trim(state, 0.0, selected_demonstration(state)->full_duration_s());
 }
 
 Requests trim_idle(const State& state) {
@@ -178,7 +184,7 @@ constexpr std::array<RowData, 5> kFileRows{{
      act<UiAction::kQuit>},
 }};
 
-constexpr std::array<RowData, 14> kEditRows{{
+constexpr std::array<RowData, 2> kUndoRows{{
     {"edit.undo", "Edit", "Undo", "Go back one step in the history", icon::kUndo, {"Ctrl+Z"}, false, cannot_undo, undo},
     {"edit.redo",
      "Edit",
@@ -189,6 +195,9 @@ constexpr std::array<RowData, 14> kEditRows{{
      false,
      cannot_redo,
      redo},
+}};
+
+constexpr std::array<RowData, 13> kEditRows{{
     {"edit.trim_in",
      "Edit",
      "Trim in at playhead",
@@ -207,6 +216,15 @@ constexpr std::array<RowData, 14> kEditRows{{
      false,
      cannot_trim_out,
      trim_out},
+    {"edit.clear_gates",
+     "Edit",
+     "Clear gates",
+     "Show the whole recording again, trims undone",
+     icon::kExpand,
+     {"X"},
+     false,
+     cannot_clear_gates,
+     clear_gates},
     {"edit.trim_idle",
      "Edit",
      "Trim idle",
@@ -239,7 +257,7 @@ constexpr std::array<RowData, 14> kEditRows{{
      "Delete demonstration",
      "Take the selected demonstration out of the project; undo brings it back",
      icon::kTrash,
-     {"Delete"},
+     {"Ctrl+Delete"},
      true,
      cannot_edit,
      remove_demonstration},
@@ -248,7 +266,7 @@ constexpr std::array<RowData, 14> kEditRows{{
      "Delete model",
      "Take the selected model out of the project; undo brings it back",
      icon::kTrash,
-     {"Shift+Delete"},
+     {"Ctrl+Shift+Delete"},
      false,
      cannot_remove_model,
      remove_model},
@@ -301,8 +319,17 @@ constexpr std::array<RowData, 14> kEditRows{{
 
 }  // namespace
 
+std::string cannot_edit(const State& state) {
+  if (std::string reason = cannot_change(state); !reason.empty()) return reason;
+  return state.live ? "A transfer is being recorded" : no_demonstration(state);
+}
+
 std::span<const RowData> file_rows() {
   return kFileRows;
+}
+
+std::span<const RowData> undo_rows() {
+  return kUndoRows;
 }
 
 std::span<const RowData> edit_rows() {

@@ -1,7 +1,6 @@
 #include "ui/command_rows.h"
 #include "ui/icons.h"
 #include "ui/panels/common.h"
-#include "ui/timeline_steps.h"
 
 namespace trocar::ui {
 namespace {
@@ -17,28 +16,6 @@ Requests switch_workspace(const State&) {
 template <scene::CameraPreset preset>
 Requests look_from(const State&) {
   return one(Command{SetCameraPreset{preset}});
-}
-
-Requests play(const State& state) {
-  return one(Command{Play{state.play_speed == 0.0 ? 1.0 : 0.0}});
-}
-
-template <int steps>
-Requests step_samples(const State& state) {
-  return one(Command{SetPlayhead{stepped(*selected_demonstration(state), state.playhead_s, steps)}});
-}
-
-template <int direction>
-Requests step_marker(const State& state) {
-  return one(Command{SetPlayhead{next_boundary(*selected_demonstration(state), state.playhead_s, direction)}});
-}
-
-Requests to_begin(const State& state) {
-  return one(Command{SetPlayhead{selected_demonstration(state)->begin_s}});
-}
-
-Requests to_end(const State& state) {
-  return one(Command{SetPlayhead{selected_demonstration(state)->end_s}});
 }
 
 Requests ghosts(const State& state) {
@@ -206,90 +183,6 @@ constexpr std::array<RowData, 16> kViewRows{{
      act<UiAction::kResetLayout>},
 }};
 
-constexpr std::array<RowData, 9> kTransportRows{{
-    {"transport.play",
-     "Transport",
-     "Play or pause",
-     "Run the playhead in real time",
-     icon::kPlay,
-     {"Space"},
-     false,
-     no_demonstration,
-     play},
-    {"transport.forward",
-     "Transport",
-     "One sample forward",
-     "5 ms",
-     nullptr,
-     {"Right"},
-     false,
-     no_demonstration,
-     step_samples<1>},
-    {"transport.back",
-     "Transport",
-     "One sample back",
-     "5 ms",
-     nullptr,
-     {"Left"},
-     false,
-     no_demonstration,
-     step_samples<-1>},
-    {"transport.forward_10",
-     "Transport",
-     "Ten samples forward",
-     "50 ms",
-     nullptr,
-     {"Shift+Right"},
-     false,
-     no_demonstration,
-     step_samples<10>},
-    {"transport.back_10",
-     "Transport",
-     "Ten samples back",
-     "50 ms",
-     nullptr,
-     {"Shift+Left"},
-     false,
-     no_demonstration,
-     step_samples<-10>},
-    {"transport.next_segment",
-     "Transport",
-     "Next segment",
-     "To the next beginning of a segment",
-     nullptr,
-     {"Ctrl+Right"},
-     false,
-     no_demonstration,
-     step_marker<1>},
-    {"transport.last_segment",
-     "Transport",
-     "Previous segment",
-     "To the beginning of a segment before",
-     nullptr,
-     {"Ctrl+Left"},
-     false,
-     no_demonstration,
-     step_marker<-1>},
-    {"transport.begin",
-     "Transport",
-     "To the beginning",
-     "To the in gate",
-     icon::kToBegin,
-     {"Home"},
-     false,
-     no_demonstration,
-     to_begin},
-    {"transport.end",
-     "Transport",
-     "To the end",
-     "To the out gate",
-     icon::kToEnd,
-     {"End"},
-     false,
-     no_demonstration,
-     to_end},
-}};
-
 constexpr std::array<RowData, 5> kHelpRows{{
     {"help.palette",
      "Help",
@@ -342,10 +235,6 @@ constexpr std::array<RowData, 5> kHelpRows{{
 
 std::span<const RowData> view_rows() {
   return kViewRows;
-}
-
-std::span<const RowData> transport_rows() {
-  return kTransportRows;
 }
 
 std::span<const RowData> help_rows() {

@@ -298,6 +298,13 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
 
 ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz, bool close_asked) {
   status_.hint = ui.hint();
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  status_.just_done = status_.just_done && pointer.x == pointer_when_done_.x && pointer.y == pointer_when_done_.y;
+  if (status_.done != state.done) {
+    status_.done = state.done;
+    status_.just_done = true;
+    pointer_when_done_ = pointer;
+  }
   if (!palette_.is_open()) leave_field_on_tab(ui);
   Requests requests = take_keys(ui, state);
   if (close_asked) requests.emplace_back(UiAction::kQuit);

@@ -1,6 +1,8 @@
 /// The whole window: bars, tiles with their panels, forms, palette and keys. It turns acts into commands.
 #pragma once
 
+#include <imgui.h>
+
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -65,6 +67,7 @@ class Shell {
   QuitForm quit_;
   Palette palette_;
   StatusLine status_;
+  ImVec2 pointer_when_done_;
   std::optional<PanelId> maximised_;
   std::array<std::uint64_t, kPanelCount> fronted_{};  ///< The larger, the later a panel was brought to the front.
   std::uint64_t front_counter_ = 1;

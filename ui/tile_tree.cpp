@@ -247,7 +247,7 @@ Tile default_layout(Workspace workspace) {
     case Workspace::kAuthor:
       return split(row, {0.245F, 0.515F, 0.24F},
                    {split(column, {0.64F, 0.36F}, {tabs({kLibrary}), tabs({kHistory, kJobs, kLog})}),
-                    split(column, {0.645F, 0.355F}, {tabs({kView}), tabs({kTimeline})}),
+                    split(column, {0.54F, 0.46F}, {tabs({kView}), tabs({kTimeline})}),
                     tabs({kInspector, kEdits, kTrain, kFields, kRollouts})});
     case Workspace::kFields:
       return split(

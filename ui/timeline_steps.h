@@ -8,7 +8,7 @@ namespace trocar::ui {
 /// `steps` samples on from the sample at `t_s` (negative: back), kept within the gates.
 double stepped(const demonstration::Demonstration& demonstration, double t_s, int steps);
 
-/// The next beginning or end of a segment after `t_s` (`direction` 1) or before it (−1); else the gate.
-double next_boundary(const demonstration::Demonstration& demonstration, double t_s, int direction);
+/// The speed after J (−1) or L (1): the other way or at rest it plays at once; else twice as fast, up to 32.
+double shuttled(double speed, int direction);
 
 }  // namespace trocar::ui

@@ -10,6 +10,7 @@
 #include "app/commands/demo_commands.h"
 #include "engine/demonstration/edit_fields.h"
 #include "engine/demonstration/edit_words.h"
+#include "engine/demonstration/join.h"
 #include "engine/demonstration/quality.h"
 
 namespace trocar::app {
@@ -69,8 +70,14 @@ Result<Answer> commit(const Target& target, Console& console, const EditMaker& e
                  {"hash_after", hash_text(after->hash())},
                  {"hash", hash_text(after->hash())},
                  {"duration_s", after->duration_s()}};
+  const std::vector<demonstration::Join> joins = demonstration::joins_of(*edit, *before, *after);
+  for (const demonstration::Join& join : joins) {
+    answer.json["joins"].push_back(
+        {{"at_s", join.at_s}, {"gap_s", join.gap_s}, {"moved_m", join.moved_m}, {"turned_rad", join.turned_rad}});
+  }
   answer.summary = description;
   answer.text = fmt::format("Edit {}: {}", id, description);
+  if (!joins.empty()) answer.text += "; " + demonstration::sentence_of(joins);
   return answer;
 }
 

@@ -35,6 +35,8 @@ void LaneData::find_runs(const demonstration::Demonstration& shown) {
   for (std::size_t bit = 0; bit < flags_.size(); ++bit) {
     flags_[bit] = runs(shown, [bit](const Sample& sample) { return static_cast<int>(sample.flags >> bit & 1U); });
   }
+  events_ = demonstration::events_within(shown, 0.0, shown.full_duration_s());
+  std::erase_if(events_, [](const demonstration::Event& event) { return event.arm < 0; });
   jaw_low_ = 0.0F;
   jaw_high_ = 0.1F;
   for (const Sample& sample : shown.samples) {
@@ -63,6 +65,16 @@ void LaneData::decimate(const demonstration::Demonstration& shown, const TimeRan
 }
 
 void LaneData::update(const demonstration::Demonstration& shown, const TimeRange& range, int columns) {
+  if (stack_ != shown.stack) {
+    stack_ = shown.stack;
+    edits_ = demonstration::edit_spans(shown);
+  }
+  if (recording_ != shown.recording) {
+    recording_ = shown.recording;
+    const demonstration::Demonstration original = demonstration::original_of(shown);
+    original_ = original.segments;
+    original_s_ = original.end_s;
+  }
   const bool same_samples = samples_.same_pieces(shown.samples);
   if (!same_samples) {
     samples_ = shown.samples;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/demonstration/demonstration.h"
+#include "engine/demonstration/edit_spans.h"
+#include "engine/demonstration/events.h"
 #include "ui/panels/time_range.h"
 
 namespace trocar::ui {
@@ -34,6 +36,13 @@ class LaneData {
   const std::vector<Run>& flag(demonstration::SampleFlag flag) const;
   /// One for each column; `low` > `high` where there is no sample.
   const std::vector<Extent>& jaw(int arm) const { return jaw_[static_cast<std::size_t>(arm)]; }
+  /// What the grippers do, by time.
+  const std::vector<demonstration::Event>& events() const { return events_; }
+  /// Where each edit of the stack has worked.
+  const std::vector<demonstration::EditSpan>& edits() const { return edits_; }
+  /// The segments as they were recorded.
+  const std::vector<demonstration::SegmentSpan>& original() const { return original_; }
+  double original_s() const { return original_s_; }  ///< How long the recording was.
   float jaw_low() const { return jaw_low_; }
   float jaw_high() const { return jaw_high_; }
 
@@ -45,6 +54,12 @@ class LaneData {
   TimeRange range_{0.0, 0.0};
   int columns_ = 0;
   std::vector<Run> authority_;
+  std::vector<demonstration::Event> events_;
+  std::shared_ptr<const demonstration::EditStack> stack_;
+  std::vector<demonstration::EditSpan> edits_;
+  std::shared_ptr<const demonstration::Recording> recording_;
+  std::vector<demonstration::SegmentSpan> original_;
+  double original_s_ = 0.0;
   std::array<std::vector<Run>, 4> flags_;
   std::array<std::vector<Extent>, 2> jaw_;
   float jaw_low_ = 0.0F;

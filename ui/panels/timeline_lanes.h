@@ -1,16 +1,42 @@
 /// Draws the timeline's ruler and lanes; knows nothing of the mouse.
 #pragma once
 
+#include <bitset>
+#include <cstdint>
+#include <string_view>
+
 #include "ui/panels/lane_data.h"
 #include "ui/panels/time_range.h"
 #include "ui/widgets/widgets.h"
 
 namespace trocar::ui {
 
+/// From top to bottom.
+enum class Lane : std::uint8_t {
+  kSegments,
+  kAuthority,
+  kJawLeft,
+  kJawRight,
+  kHolds,
+  kPedals,
+  kNotes,
+  kEdits,
+  kOriginal
+};
+constexpr std::size_t kLaneCount = 9;
+using LaneSet = std::bitset<kLaneCount>;
+constexpr bool has(const LaneSet& lanes, Lane lane) {
+  return lanes[static_cast<std::size_t>(lane)];
+}
+/// "Jaw L", and a sentence about what it shows.
+std::string_view name_of(Lane lane);
+std::string_view help_of(Lane lane);
+
 struct LaneLayout {
   Rect names;  ///< Column of the lanes' names.
   Rect ruler;
-  Rect lanes;  ///< Below the ruler; times run from `lanes.x0` to `lanes.x1`.
+  Rect gates;  ///< Between ruler and lanes: what is used, from gate to gate.
+  Rect lanes;  ///< Times run from `lanes.x0` to `lanes.x1`.
   TimeRange range;
   double gate_in_s = 0.0;
   double gate_out_s = 0.0;
@@ -20,10 +46,11 @@ struct LaneLayout {
 };
 
 LaneLayout lay_out(const Ui& ui, const Rect& area, const TimeRange& range);
-/// What all lanes and the ruler take, pixels.
-float lanes_height(const Ui& ui);
+/// What ruler, gates and the shown lanes take, pixels.
+float lanes_height(const Ui& ui, const LaneSet& shown);
 void draw_ruler(Ui& ui, const LaneLayout& layout);
-/// All lanes from the top. Words stand between the gates, and times of segments are cut to them.
-void draw_lanes(Ui& ui, const LaneLayout& layout, const demonstration::Demonstration& shown, const LaneData& data);
+/// The shown lanes from the top. Words stand between the gates, and times of segments are cut to them.
+void draw_lanes(Ui& ui, const LaneLayout& layout, const LaneSet& lanes, const demonstration::Demonstration& shown,
+                const LaneData& data);
 
 }  // namespace trocar::ui

@@ -9,13 +9,14 @@
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/common.h"
+#include "ui/panels/time_snap.h"
+#include "ui/panels/timeline_marks.h"
 
 namespace trocar::ui {
 namespace {
 
 using workbench::Command;
 
-constexpr double kLeast_s = 0.05;      // Between the gates.
 constexpr float kSpeedWidth = 266.0F;  // Of the speeds and Fit, at 100 %.
 
 double length_of(const demonstration::Demonstration& shown) {
@@ -33,11 +34,16 @@ void TimelinePanel::fit(const WorkbenchState& state, const demonstration::Demons
     fitted_ = state.demonstration;
     range_ = {0.0, length_of(shown)};
     range_.zoom(0.5 * length_of(shown), 1.06);
-    drag_ = Drag::kNone;
+    length_s_ = length_of(shown);
+    mouse_.reset();
   }
-  range_.keep_within(length_of(shown));
-  if (drag_ != Drag::kGateIn) gate_in_s_ = shown.begin_s;
-  if (drag_ != Drag::kGateOut) gate_out_s_ = shown.end_s;
+  // Who sees all of it goes on seeing all.
+  if (length_s_ != length_of(shown) && range_.span_s() >= length_s_) {
+    range_ = {0.0, length_of(shown)};
+    range_.zoom(0.5 * length_of(shown), 1.06);
+  }
+  length_s_ = length_of(shown);
+  range_.keep_within(length_s_);
 }
 
 void TimelinePanel::draw_transport(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
@@ -65,9 +71,9 @@ void TimelinePanel::draw_time(Ui& ui, const WorkbenchState& state, const demonst
     ImGui::TextUnformatted(time.c_str());
     note_item(ui, "text", "Playhead", fmt::format("{:.3f}", state.playhead_s), {});
   }
-  const bool trimming = drag_ == Drag::kGateIn || drag_ == Drag::kGateOut;
-  const std::string words =
-      trimming ? "Trim to " + trim_words(gate_in_s_, gate_out_s_) : "of " + seconds(shown.end_s) + ", " + shown.name;
+  const bool trimming = mouse_.trims();
+  const std::string words = trimming ? "Trim to " + trim_words(mouse_.gate_in_s(shown), mouse_.gate_out_s(shown))
+                                     : "of " + seconds(shown.end_s) + ", " + shown.name;
   const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8);
   const float room = ImGui::GetWindowContentRegionMax().x - used - ui.px(kSpeedWidth + 8.0F);
   // A word or two at least; what it says is in the inspector, too.
@@ -104,113 +110,36 @@ void TimelinePanel::draw_speed(Ui& ui, const WorkbenchState& state, const demons
   }
 }
 
-TimelinePanel::Drag TimelinePanel::what_is_at(const Ui& ui, const LaneLayout& layout, ImVec2 mouse) const {
-  const float reach = ui.px(7);
-  const float in = layout.x_of(gate_in_s_);
-  const float out = layout.x_of(gate_out_s_);
-  if (mouse.x >= in - reach && mouse.x <= in + ui.px(3)) return Drag::kGateIn;
-  if (mouse.x <= out + reach && mouse.x >= out - ui.px(3)) return Drag::kGateOut;
-  return Drag::kScrub;
-}
-
-void TimelinePanel::take_wheel(const LaneLayout& layout, double length_s) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.MouseWheel != 0.0F && io.KeyShift) {
-    range_.pan(-0.1 * range_.span_s() * static_cast<double>(io.MouseWheel));
-  } else if (io.MouseWheel != 0.0F) {
-    range_.zoom(layout.time_at(io.MousePos.x), std::pow(0.85, static_cast<double>(io.MouseWheel)));
-  }
-  if (io.MouseWheelH != 0.0F) range_.pan(-0.1 * range_.span_s() * static_cast<double>(io.MouseWheelH));
-  range_.keep_within(length_s);
-}
-
-void TimelinePanel::finish_drag(const WorkbenchState& state, const demonstration::Demonstration& shown,
-                                Requests& requests) {
-  const bool gate = drag_ == Drag::kGateIn || drag_ == Drag::kGateOut;
-  drag_ = Drag::kNone;
-  if (!gate || (gate_in_s_ == shown.begin_s && gate_out_s_ == shown.end_s)) return;
-  const demonstration::Trim trim{gate_in_s_, gate_out_s_};
-  requests.emplace_back(Command{workbench::CommitEdit{workbench::EditDemonstration{state.demonstration, trim}}});
-}
-
-void TimelinePanel::take_mouse(Ui& ui, const LaneLayout& layout, bool hovered, const WorkbenchState& state,
-                               const demonstration::Demonstration& shown, Requests& requests) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (hovered) take_wheel(layout, length_of(shown));
-  const Drag under = what_is_at(ui, layout, io.MousePos);
-  const bool gates = drag_ == Drag::kGateIn || drag_ == Drag::kGateOut;
-  if (gates || (hovered && drag_ == Drag::kNone && under != Drag::kScrub)) {
-    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    ui.set_hint("Drag to trim; the recording keeps what lies outside. Esc cancels");
-  }
-  if (ImGui::IsItemActivated()) drag_ = io.MouseDown[0] && !state.live ? under : Drag::kPan;
-  if (drag_ != Drag::kNone && ui.input().pressed(Key::kEscape)) drag_ = Drag::kNone;
-  if (ImGui::IsItemDeactivated()) finish_drag(state, shown, requests);
-  if (!ImGui::IsItemActive() || drag_ == Drag::kNone) return;
-  const double t_s = layout.time_at(io.MousePos.x);
-  if (drag_ == Drag::kPan) {
-    range_.pan(-range_.span_s() * static_cast<double>(io.MouseDelta.x / layout.lanes.width()));
-    range_.keep_within(length_of(shown));
-    return;
-  }
-  if (drag_ == Drag::kGateIn) gate_in_s_ = std::clamp(t_s, 0.0, gate_out_s_ - kLeast_s);
-  if (drag_ == Drag::kGateOut) gate_out_s_ = std::clamp(t_s, gate_in_s_ + kLeast_s, length_of(shown));
-  const double shown_s = drag_ == Drag::kGateIn ? gate_in_s_ : drag_ == Drag::kGateOut ? gate_out_s_ : t_s;
-  const double kept_s = std::clamp(shown_s, shown.begin_s, shown.end_s);
-  if (kept_s != state.playhead_s) requests.emplace_back(Command{workbench::SetPlayhead{kept_s}});
-}
-
-void TimelinePanel::draw_gates(Ui& ui, const LaneLayout& layout) const {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float in = std::round(layout.x_of(gate_in_s_));
-  const float out = std::round(layout.x_of(gate_out_s_));
-  const Rect& lanes = layout.lanes;
-  const ImU32 veil = to_u32(ui.theme().panel, 0.72F);
-  if (in > lanes.x0) list.AddRectFilled({lanes.x0, lanes.y0 + 1.0F}, {in, lanes.y1}, veil);
-  if (out < lanes.x1) list.AddRectFilled({out, lanes.y0 + 1.0F}, {lanes.x1, lanes.y1}, veil);
-  const auto gate = [&](float x, bool left, bool active, std::string_view label, double t_s) {
-    const Rgba colour = active ? ui.theme().accent : ui.theme().text_dim;
-    const float tab = ui.px(7);
-    const float x0 = left ? x - tab : x;
-    list.AddRectFilled({x - 1.0F, layout.ruler.y1 - ui.px(14)}, {x + 1.0F, lanes.y1}, to_u32(colour));
-    list.AddRectFilled({x0, layout.ruler.y1 - ui.px(14)}, {x0 + tab, layout.ruler.y1}, to_u32(colour), ui.px(2));
-    note_rect(ui, "slider", label, fmt::format("{:.3f}", t_s),
-              {x0, layout.ruler.y1 - ui.px(14), x0 + tab, layout.ruler.y1}, {.help = "Drag to trim"});
-  };
-  gate(in, true, drag_ == Drag::kGateIn, "In gate", gate_in_s_);
-  gate(out, false, drag_ == Drag::kGateOut, "Out gate", gate_out_s_);
-}
-
-void TimelinePanel::draw_playhead(Ui& ui, const LaneLayout& layout, double t_s) const {
-  const float x = std::round(layout.x_of(t_s));
-  if (x < layout.lanes.x0 || x > layout.lanes.x1) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 colour = to_u32(ui.theme().accent);
-  const float half = ui.px(5);
-  const float y = layout.ruler.y1 - ui.px(7);
-  list.AddRectFilled({x - 1.0F, y}, {x + 1.0F, layout.lanes.y1}, colour);
-  list.AddRectFilled({x - half, y - ui.px(6)}, {x + half, y}, colour, ui.px(2));
-  list.AddTriangleFilled({x - half, y}, {x + half, y}, {x, y + ui.px(6)}, colour);
-}
-
 void TimelinePanel::draw_lane_area(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
                                    Requests& requests) {
   ImVec2 room = ImGui::GetContentRegionAvail();
-  room.y = std::max(room.y, lanes_height(ui));
-  const bool hovered = canvas(ui, "Lanes", room, trim_words(gate_in_s_, gate_out_s_),
-                              {.help = "Drag to move the playhead, wheel to zoom, right drag to shift"});
+  room.y = std::max(room.y, lanes_height(ui, lanes_));
+  const bool hovered =
+      canvas(ui, "Lanes", room, trim_words(mouse_.gate_in_s(shown), mouse_.gate_out_s(shown)),
+             {.help = "Drag to select, Shift extends, click for the playhead; wheel zooms, right drag shifts"});
   const LaneLayout layout = lay_out(ui, item_rect(), range_);
-  take_mouse(ui, layout, hovered, state, shown, requests);
+  const TimelineGround ground{state, shown, layout, places_of(shown, data_.events()), length_of(shown)};
+  mouse_.take(ui, ground, hovered, range_, requests);
   LaneLayout now = lay_out(ui, item_rect(), range_);
-  now.gate_in_s = gate_in_s_;
-  now.gate_out_s = gate_out_s_;
+  now.gate_in_s = mouse_.gate_in_s(shown);
+  now.gate_out_s = mouse_.gate_out_s(shown);
   data_.update(shown, range_, std::max(static_cast<int>(now.lanes.width() / 2.0F), 1));
   ImGui::PushClipRect({now.names.x0, now.ruler.y0}, {item_rect().x1, item_rect().y1}, true);
   draw_ruler(ui, now);
-  draw_lanes(ui, now, shown, data_);
-  draw_gates(ui, now);
+  draw_lanes(ui, now, lanes_, shown, data_);
+  draw_gates(ui, now, mouse_.drag());
+  if (state.selection) draw_selection(ui, now, *state.selection);
+  if (const auto zoomed = mouse_.zoomed()) draw_zoomed(ui, now, *zoomed);
   draw_playhead(ui, now, state.playhead_s);
+  if (const auto snapped = mouse_.snapped_s()) draw_snap(ui, now, *snapped);
   ImGui::PopClipRect();
+}
+
+// Menus and forms close on Escape, and fields give up what was typed: the selection stays then.
+bool TimelinePanel::escapes(const Ui& ui) const {
+  const bool open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  return ui.input().pressed(Key::kEscape) && !open && !ImGui::GetIO().WantTextInput &&
+         mouse_.drag() == TimelineMouse::Drag::kNone;
 }
 
 Requests TimelinePanel::draw(Ui& ui, const WorkbenchState& state) {
@@ -231,7 +160,10 @@ Requests TimelinePanel::draw(Ui& ui, const WorkbenchState& state) {
     return requests;
   }
   fit(state, *shown);
+  const bool escaped = escapes(ui);
+  if (escaped && state.selection) requests.emplace_back(Command{workbench::SetSelection{}});
   draw_transport(ui, state, *shown, requests);
+  tools_.draw(ui, state, *shown, lanes_, requests);
   ImGui::Dummy({0.0F, ui.px(1)});
   draw_lane_area(ui, state, *shown, requests);
   return requests;

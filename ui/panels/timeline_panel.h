@@ -1,11 +1,11 @@
-/// The selected demonstration over time: play, scrub, see segments and jaws, and trim by dragging the gates.
+/// The selected demonstration over time: play, scrub, select, see what happens in its lanes, and trim by
+/// dragging the gates.
 #pragma once
-
-#include <optional>
 
 #include "ui/panel.h"
 #include "ui/panels/lane_data.h"
-#include "ui/panels/timeline_lanes.h"
+#include "ui/panels/timeline_mouse.h"
+#include "ui/panels/timeline_tools.h"
 
 namespace trocar::ui {
 
@@ -14,8 +14,6 @@ class TimelinePanel final : public Panel {
   Requests draw(Ui& ui, const WorkbenchState& state) override;
 
  private:
-  enum class Drag { kNone, kScrub, kGateIn, kGateOut, kPan };
-
   void fit(const WorkbenchState& state, const demonstration::Demonstration& shown);
   void draw_transport(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
                       Requests& requests);
@@ -23,20 +21,15 @@ class TimelinePanel final : public Panel {
   void draw_speed(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown, Requests& requests);
   void draw_lane_area(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
                       Requests& requests);
-  void take_mouse(Ui& ui, const LaneLayout& layout, bool hovered, const WorkbenchState& state,
-                  const demonstration::Demonstration& shown, Requests& requests);
-  Drag what_is_at(const Ui& ui, const LaneLayout& layout, ImVec2 mouse) const;
-  void finish_drag(const WorkbenchState& state, const demonstration::Demonstration& shown, Requests& requests);
-  void draw_gates(Ui& ui, const LaneLayout& layout) const;
-  void draw_playhead(Ui& ui, const LaneLayout& layout, double t_s) const;
-  void take_wheel(const LaneLayout& layout, double length_s);
+  bool escapes(const Ui& ui) const;
 
   TimeRange range_;
   LaneData data_;
+  LaneSet lanes_ = LaneSet().set();
+  TimelineMouse mouse_;
+  TimelineTools tools_;
   workbench::DemonstrationId fitted_;
-  Drag drag_ = Drag::kNone;
-  double gate_in_s_ = 0.0;  ///< Shown; follows the mouse while dragged.
-  double gate_out_s_ = 0.0;
+  double length_s_ = 0.0;  ///< Of what the range was last fitted to.
 };
 
 }  // namespace trocar::ui

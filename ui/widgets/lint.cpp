@@ -16,7 +16,7 @@ bool any_of(std::string_view role, std::initializer_list<std::string_view> roles
 }
 
 bool is_control(const Item& item) {
-  return !any_of(item.role, {"text", "progress"});
+  return !any_of(item.role, {"text", "progress", "mark"});
 }
 
 // A glyph of the private use area is a picture to us and nothing to a screen reader.
@@ -36,7 +36,7 @@ bool is_small(const Item& item, float scale) {
 
 // What lies on a ground by design does not count: marks on a canvas, words in a row.
 bool is_ground(const Item& item) {
-  return any_of(item.role, {"canvas", "row", "splitter", "progress", "slider"});
+  return any_of(item.role, {"canvas", "row", "splitter", "progress", "slider", "mark"});
 }
 
 bool overlap(const Item& a, const Item& b) {

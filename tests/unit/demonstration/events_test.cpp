@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/demonstration/clip.h"
+#include "engine/demonstration/edit_spans.h"
 #include "engine/demonstration/edits.h"
 #include "engine/demonstration/join.h"
 #include "tests/support/document_samples.h"
@@ -87,4 +89,27 @@ TEST_CASE("what is taken out leaves a join as far as the tools were apart") {
   CHECK(gap[0].gap_s == doctest::Approx(1.0));
   CHECK(sentence_of(gap).find("over a gap of 1.00 s") != std::string::npos);
   CHECK(joins_of(Trim{0.5, 1.0}, document, document).empty());
+}
+
+TEST_CASE("an edit's span is where its samples are now, later edits before it allowed for") {
+  Demonstration document = testing::moving_demonstration(1001);
+  const auto edit = [&](const Edit& one, std::int64_t id) { document = apply(document, one, id).value(); };
+  edit(Smooth{3.0, 4.0}, 1);
+  edit(MoveTool{Arms::kLeft, 4.5, {0.001, 0.0, 0.0}, 0.25}, 2);
+  edit(DeleteSpan{1.0, 2.0, true}, 3);
+  Splice splice{1, 0.0, 0.495, 0.5, 0.0, Align::kAsRecorded, 0, nullptr};
+  splice.clip = std::make_shared<const Clip>(clip_of(document, 0.0, 0.495).value());
+  edit(splice, 4);
+  edit(Trim{0.5, 4.0}, 5);
+  const std::vector<EditSpan> spans = edit_spans(document);
+  REQUIRE(spans.size() == 4);
+  CHECK(spans[0].entry == 1);
+  CHECK(spans[0].begin_s == doctest::Approx(2.5));
+  CHECK(spans[0].end_s == doctest::Approx(3.5));
+  CHECK(spans[1].begin_s == doctest::Approx(3.75));
+  CHECK(spans[1].end_s == doctest::Approx(4.25));
+  CHECK(spans[2].begin_s == doctest::Approx(1.5));
+  CHECK(spans[2].end_s == doctest::Approx(1.5));
+  CHECK(spans[3].begin_s == doctest::Approx(0.5));
+  CHECK(spans[3].end_s == doctest::Approx(1.0));
 }

@@ -9,6 +9,7 @@
 #include "ui/driver/script.h"
 #include "ui/format.h"
 #include "ui/panels/time_range.h"
+#include "ui/panels/time_snap.h"
 #include "ui/settings.h"
 #include "ui/shortcut.h"
 #include "ui/theme.h"
@@ -185,15 +186,29 @@ TEST_CASE("marks of the ruler are round and not too close") {
   CHECK(ruler_step({0.0, 1.0}, 500.0F, 60.0F) == doctest::Approx(0.2));
 }
 
-TEST_CASE("the playhead steps by samples and to the edges of segments, within the gates") {
+TEST_CASE("the playhead steps by samples, within the gates") {
   const auto state = testing::made_state();
   const auto& shown = *state.project->demonstrations.at({1});
   CHECK(stepped(shown, 1.0, 1) == doctest::Approx(1.005));
   CHECK(stepped(shown, 0.0, -1) == 0.0);
   CHECK(stepped(shown, 7.0, 10) == doctest::Approx(7.0));
-  CHECK(next_boundary(shown, 2.5, 1) == doctest::Approx(3.0));
-  CHECK(next_boundary(shown, 2.5, -1) == doctest::Approx(2.0));
-  CHECK(next_boundary(shown, 7.0, 1) == doctest::Approx(7.0));
+}
+
+TEST_CASE("a shuttle turns about at once and goes faster with each press") {
+  CHECK(shuttled(0.0, 1) == 1.0);
+  CHECK(shuttled(0.25, 1) == 1.0);
+  CHECK(shuttled(1.0, 1) == 2.0);
+  CHECK(shuttled(32.0, 1) == 32.0);
+  CHECK(shuttled(4.0, -1) == -1.0);
+  CHECK(shuttled(-1.0, -1) == -2.0);
+}
+
+TEST_CASE("what is dragged goes to the nearest place within reach, else to a sample") {
+  const std::vector<double> places{1.0, 1.1, 3.0};
+  CHECK(nearest_place(places, 1.06, 0.1) == 1.1);
+  CHECK(nearest_place(places, 1.04, 0.1) == 1.0);
+  CHECK_FALSE(nearest_place(places, 2.0, 0.5));
+  CHECK(at_sample(1.2362) == doctest::Approx(1.235));
 }
 
 TEST_CASE("numbers read as people write them") {

@@ -166,7 +166,7 @@ TEST_CASE("the fields panel shows the goal's cell and a click cuts elsewhere") {
 TEST_CASE("every menu opens, and an item of it does what it says") {
   Desk desk(testing::made_state());
   Driver driver = desk.driver();
-  for (const char* menu : {"File", "View", "Transport", "Help"}) {
+  for (const char* menu : {"File", "Select", "View", "Transport", "Help"}) {
     CHECK(text_of(driver.click(std::string("Menu/") + menu)) == "");
     CHECK(driver.frames(2));
     CHECK(text_of(driver.expect_value(std::string("Menu/") + menu, "open")) == "");

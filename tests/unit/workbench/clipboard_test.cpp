@@ -37,7 +37,8 @@ struct Bench {
 
   ScratchFolder folder;
   DemonstrationId id;
-  Workbench bench{{testing::clock_at_rest(), false}};
+  std::shared_ptr<ManualClock> clock = std::make_shared<ManualClock>();
+  Workbench bench{{clock, false}};
 };
 
 }  // namespace
@@ -158,4 +159,40 @@ TEST_CASE("nothing of another project is pasted") {
   desk.bench.post(OpenProject{desk.folder / "q.trocar", true});
   CHECK(desk.bench.wait_idle(60.0));
   CHECK_FALSE(desk.state().clipboard);
+}
+
+TEST_CASE("a loop plays the selection again and again, also backwards, and the gates end it where there is none") {
+  Bench desk;
+  const auto play_s = [&](double seconds) {
+    desk.clock->advance_s(seconds);
+    desk.bench.poll();
+    return desk.state().playhead_s;
+  };
+  desk.bench.post(SetSelection{TimeSpan{1.0, 2.0}});
+  desk.bench.post(SetLoop{Loop::kSpan});
+  desk.bench.post(SetPlayhead{1.9});
+  desk.bench.post(Play{1.0});
+  desk.bench.poll();
+  CHECK(play_s(0.2) == doctest::Approx(1.1));
+  desk.bench.post(Play{-1.0});
+  CHECK(play_s(0.2) == doctest::Approx(1.9));
+  desk.bench.post(SetLoop{});
+  desk.bench.post(SetPlayhead{4.9});
+  desk.bench.post(Play{1.0});
+  CHECK(play_s(0.2) == doctest::Approx(5.0));
+  CHECK(desk.state().play_speed == 0.0);
+  desk.bench.post(Play{-2.0});
+  CHECK(play_s(0.1) == doctest::Approx(4.8));
+}
+
+TEST_CASE("the loop of a segment goes with the playhead") {
+  Bench desk;
+  desk.bench.post(SetLoop{Loop::kSegment});
+  const auto& span = desk.shown()->segments[2];
+  desk.bench.post(SetPlayhead{span.end_s - 0.05});
+  desk.bench.post(Play{1.0});
+  desk.bench.poll();
+  desk.clock->advance_s(0.1);
+  desk.bench.poll();
+  CHECK(desk.state().playhead_s == doctest::Approx(span.begin_s + 0.05));
 }
