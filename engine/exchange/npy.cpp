@@ -89,7 +89,44 @@ Result<Shape> read_shape(const Header& header) {
   return *shape;
 }
 
+template <typename Number>
+double number_at(std::string_view data, std::size_t i) {
+  Number value{};
+  std::memcpy(&value, data.data() + i * sizeof value, sizeof value);
+  return static_cast<double>(value);
+}
+
 }  // namespace
+
+Result<NpyArray> read_npy_array(std::string_view bytes) {
+  const std::optional<Header> header = split_header(bytes);
+  if (!header) return corrupt("the file is not a NumPy array");
+  const std::string_view type = value_of(header->dictionary, "descr").substr(0, 5);
+  const bool wide = type == "'<f8'" || type == "'<i8'";
+  if (!wide && type != "'<f4'" && type != "'<i4'") {
+    return fail(ErrorCode::kUnsupported, "the array must be of little-endian numbers ('<f8', '<f4', '<i8' or '<i4')");
+  }
+  const std::optional<Shape> shape = parse_shape(value_of(header->dictionary, "shape"));
+  if (!shape || shape->width == 0) return corrupt("the array must have two dimensions, samples and columns");
+  const std::size_t count = header->data.size() / (wide ? 8 : 4);
+  const bool fits = count % shape->width == 0 && count / shape->width == shape->rows;
+  if (!fits || header->data.size() % (wide ? 8 : 4) != 0 || shape->rows == 0) {
+    return corrupt(fmt::format("the array's {} rows do not fit its {} bytes", shape->rows, header->data.size()));
+  }
+  const bool columns_first = value_of(header->dictionary, "fortran_order").starts_with("True");
+  const auto read = type == "'<f8'"   ? number_at<double>
+                    : type == "'<f4'" ? number_at<float>
+                    : type == "'<i8'" ? number_at<std::int64_t>
+                                      : number_at<std::int32_t>;
+  NpyArray array{shape->width, std::vector<double>(count)};
+  for (std::size_t row = 0; row < shape->rows; ++row) {
+    for (std::size_t i = 0; i < shape->width; ++i) {
+      const std::size_t at = columns_first ? i * shape->rows + row : row * shape->width + i;
+      array.values[row * shape->width + i] = read(header->data, at);
+    }
+  }
+  return array;
+}
 
 std::string to_npy(const demonstration::Demonstration& document) {
   const std::vector<demonstration::Sample> samples = table_samples(document);

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/demonstration/demonstration.h"
 #include "engine/exchange/imported.h"
@@ -15,5 +16,13 @@ std::string to_npy(const demonstration::Demonstration& document);
 /// Errors: kCorrupt for what is not such an array or has another number of columns, naming the row at fault;
 /// kUnsupported for another type of number or Fortran order.
 Result<Imported> from_npy(std::string_view bytes);
+
+/// Any array of two dimensions.
+struct NpyArray {
+  std::size_t width = 1;
+  std::vector<double> values;  ///< By rows.
+};
+/// Real or whole numbers of 4 or 8 bytes, little-endian, in C or in Fortran order. Errors: kCorrupt, kUnsupported.
+Result<NpyArray> read_npy_array(std::string_view bytes);
 
 }  // namespace trocar::exchange

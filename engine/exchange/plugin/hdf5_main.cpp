@@ -19,6 +19,15 @@ using namespace trocar::exchange;
 
 constexpr int kSocket = STDIN_FILENO;
 
+// Sanitizers reserve more addresses than there is memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool kSanitized = false;
+#endif
+
 void set_limit(int resource, rlim_t value) {
   const rlimit limit{value, value};
   ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
@@ -28,9 +37,7 @@ void set_limit(int resource, rlim_t value) {
 void set_limits() {
   set_limit(RLIMIT_CORE, 0);
   set_limit(RLIMIT_CPU, 600);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  set_limit(RLIMIT_AS, rlim_t{6} << 30);
-#endif
+  if (!kSanitized) set_limit(RLIMIT_AS, rlim_t{6} << 30);
 }
 
 Status write(const std::string& path) {
