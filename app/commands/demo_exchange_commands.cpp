@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands/demo_commands.h"
+#include "engine/core/file.h"
 #include "engine/exchange/exchange.h"
 #include "engine/exchange/findings.h"
 #include "engine/review/review.h"
@@ -35,6 +36,7 @@ struct ImportArguments {
   std::string transcription;
   std::vector<double> offset_mm;
   std::vector<std::string> only;
+  std::string map;
   double rate_hz = 0.0;
   bool dry_run = false;
   int block = demonstration::kUnknownPlace;
@@ -46,12 +48,14 @@ void bind_import(CLI::App& verb, ImportArguments& arguments) {
   verb.add_option("FILE", arguments.file, "What to read")->required();
   verb.add_option("--format", arguments.format, "csv, npy, hdf5 or jigsaws (else guessed from the file's name)");
   verb.add_option("--transcription", arguments.transcription, "Gestures, of JIGSAWS; they become notes");
+  verb.add_option("--map", arguments.map,
+                  "Which column of a foreign csv or npy table is what: JSON; --dry-run proposes one");
   verb.add_option("--offset-mm", arguments.offset_mm, "Where the file's origin is on the board: X,Y,Z")
       ->delimiter(',')
       ->expected(3);
   verb.add_option("--only", arguments.only, "Of HDF5: a demonstration (demo_3) or a filter key; may be repeated")
       ->allow_extra_args(false);
-  verb.add_option("--rate-hz", arguments.rate_hz, "Samples a second, of an HDF5 file that does not tell")
+  verb.add_option("--rate-hz", arguments.rate_hz, "Samples a second, of a file that does not tell")
       ->check(CLI::Range(0.1, 1000.0));
   verb.add_flag("--dry-run", arguments.dry_run, "Only say what would come of it");
   verb.add_option("--name", arguments.name, "Name (else the file's)");
@@ -80,7 +84,34 @@ Answer imported_answer(const demonstration::Demonstration& document, const excha
   return answer;
 }
 
+/// The map that was given, or on a dry run the one that would be proposed, with what is not certain about it.
+Result<std::optional<exchange::ColumnGuess>> map_of(const ImportArguments& arguments, exchange::Format& format) {
+  std::optional<exchange::ColumnGuess> guess;
+  if (!arguments.map.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(const std::string json, read_file(arguments.map, std::size_t{1} << 20));
+    Result<exchange::ColumnMap> map = exchange::column_map_from_json(json);
+    if (!map) return tl::unexpected(std::move(map).error().at(arguments.map));
+    guess = exchange::ColumnGuess{std::move(*map), {}};
+  } else if (arguments.dry_run) {
+    TROCAR_ASSIGN_OR_RETURN(guess, exchange::guess_columns(arguments.file, format));
+  }
+  if (!guess) return guess;
+  if (format == exchange::Format::kJigsaws && arguments.format.empty()) format = exchange::Format::kCsv;
+  if (arguments.rate_hz > 0.0) guess->map.time = {"", "s", arguments.rate_hz};
+  return guess;
+}
+
+/// In place of what a reader says of columns that it does not know.
+Error with_hint(const Error& error, const ImportArguments& arguments, exchange::Format format) {
+  const auto guess = exchange::guess_columns(arguments.file, format);
+  if (!arguments.map.empty() || !guess || !*guess) return error;
+  return Error(ErrorCode::kCorrupt,
+               "the columns are not those of Trocar; --dry-run proposes a map of them, --map takes it")
+      .at(arguments.file);
+}
+
 Result<std::vector<exchange::Imported>> read_import(const ImportArguments& arguments, exchange::Format format,
+                                                    const std::optional<exchange::ColumnGuess>& guess,
                                                     Console& console) {
   exchange::ImportOptions options;
   options.transcription = arguments.transcription;
@@ -88,15 +119,17 @@ Result<std::vector<exchange::Imported>> read_import(const ImportArguments& argum
   if (!arguments.offset_mm.empty()) {
     options.X_WF.p = 1e-3 * Eigen::Vector3d(arguments.offset_mm[0], arguments.offset_mm[1], arguments.offset_mm[2]);
   }
-  TROCAR_ASSIGN_OR_RETURN(std::vector<exchange::Imported> all,
-                          exchange::import_demonstrations(arguments.file, format, options));
+  if (guess) options.map = guess->map;
+  Result<std::vector<exchange::Imported>> read = exchange::import_demonstrations(arguments.file, format, options);
+  if (!read) return tl::unexpected(with_hint(read.error(), arguments, format));
+  std::vector<exchange::Imported>& all = *read;
   for (exchange::Imported& imported : all) {
     demonstration::Provenance& provenance = imported.recording.provenance;
     if (arguments.block != demonstration::kUnknownPlace) provenance.block = arguments.block;
     if (arguments.goal != demonstration::kUnknownPlace) provenance.goal = arguments.goal;
     if (provenance.created.empty()) provenance.created = iso_time(console.clock->unix_s());
   }
-  return all;
+  return read;
 }
 
 /// What is asked for, else the file's own name for it, else that of the file.
@@ -146,11 +179,29 @@ Answer united(std::vector<Answer> parts, exchange::Format format, bool dry_run) 
   return answer;
 }
 
+/// Puts the proposed map in front of what would come of it.
+void show_map(const exchange::ColumnGuess& guess, Answer& answer) {
+  const std::string map = exchange::to_json(guess.map);
+  answer.json["map"] = Json::parse(map);
+  answer.json["doubts"] = guess.doubts;
+  std::string text = fmt::format("A map for --map, to be saved and looked through:\n{}\n", map);
+  for (const std::string& doubt : guess.doubts) text += fmt::format("not certain: {}\n", doubt);
+  answer.text = text + answer.text;
+}
+
+/// A map of columns makes a table of whatever ending.
+Result<exchange::Format> import_format(const ImportArguments& arguments) {
+  Result<exchange::Format> format = format_of(arguments.format, arguments.file);
+  const bool table = !format && arguments.format.empty() && !arguments.map.empty();
+  return table ? Result<exchange::Format>(exchange::Format::kCsv) : format;
+}
+
 Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const exchange::Format format, format_of(arguments.format, arguments.file));
+  TROCAR_ASSIGN_OR_RETURN(exchange::Format format, import_format(arguments));
   const auto open = arguments.dry_run ? open_to_read : open_to_edit;
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open(arguments.project, console, Models::kDescribed));
-  TROCAR_ASSIGN_OR_RETURN(const std::vector<exchange::Imported> all, read_import(arguments, format, console));
+  TROCAR_ASSIGN_OR_RETURN(const std::optional<exchange::ColumnGuess> guess, map_of(arguments, format));
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<exchange::Imported> all, read_import(arguments, format, guess, console));
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   std::vector<Answer> parts;
   for (const exchange::Imported& imported : all) {
@@ -161,7 +212,9 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
     parts.push_back(std::move(part));
     TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   }
-  return united(std::move(parts), format, arguments.dry_run);
+  Answer answer = united(std::move(parts), format, arguments.dry_run);
+  if (guess && arguments.map.empty()) show_map(*guess, answer);
+  return answer;
 }
 
 struct ExportArguments {

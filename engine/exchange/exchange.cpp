@@ -9,8 +9,10 @@
 #include "engine/exchange/columns.h"
 #include "engine/exchange/csv.h"
 #include "engine/exchange/jigsaws.h"
+#include "engine/exchange/mapped_table.h"
 #include "engine/exchange/new_file.h"
 #include "engine/exchange/npy.h"
+#include "engine/exchange/text_lines.h"
 
 namespace trocar::exchange {
 
@@ -40,7 +42,7 @@ Result<Format> format_from(std::string_view name) {
 Result<Format> guess_format(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-  if (ending == ".csv") return Format::kCsv;
+  if (ending == ".csv" || ending == ".tsv") return Format::kCsv;
   if (ending == ".npy") return Format::kNpy;
   if (ending == ".hdf5" || ending == ".h5") return Format::kHdf5;
   if (ending == ".txt") return Format::kJigsaws;
@@ -58,7 +60,30 @@ Result<std::vector<Imported>> alone(Result<Imported> one) {
   return all;
 }
 
+Result<Imported> read_mapped(std::string_view bytes, Format format, const ColumnMap& map) {
+  TROCAR_ASSIGN_OR_RETURN(const NumberTable table, format == Format::kNpy
+                                                       ? NumberTable::of_npy(bytes)
+                                                       : NumberTable::of_text(bytes, TextLayout::of(map)));
+  return from_table(table, map);
+}
+
+/// Whether a file can be read without a map.
+Result<bool> is_known(std::string_view bytes, Format format) {
+  if (format == Format::kHdf5) return true;
+  if (format == Format::kNpy) {
+    TROCAR_ASSIGN_OR_RETURN(const NpyArray array, read_npy_array(bytes));
+    return array.width == columns().size();
+  }
+  constexpr std::size_t kJigsawsColumns = 76;
+  const std::string_view first = take_line(bytes);
+  if (format == Format::kJigsaws) return cells_of(first, ' ').size() == kJigsawsColumns;
+  return first.find("left_setpoint_x_m") != std::string_view::npos;
+}
+
 Result<std::vector<Imported>> read(const std::filesystem::path& path, Format format, const ImportOptions& options) {
+  if (options.map && format != Format::kCsv && format != Format::kNpy) {
+    return fail(ErrorCode::kInvalidArgument, "only tables, csv and npy, take a map of their columns");
+  }
   if (!options.transcription.empty() && format != Format::kJigsaws) {
     return fail(ErrorCode::kInvalidArgument, "only JIGSAWS files have a transcription");
   }
@@ -67,6 +92,7 @@ Result<std::vector<Imported>> read(const std::filesystem::path& path, Format for
   }
   if (format == Format::kHdf5) return read_robomimic(path, options.robomimic);
   TROCAR_ASSIGN_OR_RETURN(const std::string bytes, read_file(path));
+  if (options.map) return alone(read_mapped(bytes, format, *options.map));
   if (format == Format::kCsv) return alone(from_csv(bytes));
   if (format == Format::kNpy) return alone(from_npy(bytes));
   std::string transcription;
@@ -191,6 +217,21 @@ Result<std::vector<std::string>> export_demonstration(const demonstration::Demon
   const auto shared = std::make_shared<const demonstration::Demonstration>(document);
   TROCAR_ASSIGN_OR_RETURN(ExportReport report, export_demonstrations({shared}, path, format));
   return std::move(report.lossy);
+}
+
+Result<std::optional<ColumnGuess>> guess_columns(const std::filesystem::path& path, Format format) {
+  const auto refuse = [&path](const Error& error) { return tl::unexpected(Error(error).at(path.string())); };
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return refuse(bytes.error());
+  const Result<bool> known = is_known(*bytes, format);
+  if (!known) return refuse(known.error());
+  if (*known) return std::optional<ColumnGuess>();
+  Result<std::optional<ColumnGuess>> guess =
+      format == Format::kNpy ? guess_columns_of_npy(*bytes) : guess_columns_of_text(*bytes);
+  if (!guess) return refuse(guess.error());
+  if (*guess) return guess;
+  return refuse(Error(ErrorCode::kUnsupported,
+                      "no position of a tool and no joints are recognised in the columns; write a map of them"));
 }
 
 Result<std::vector<Imported>> import_demonstrations(const std::filesystem::path& path, Format format,

@@ -3,11 +3,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/demonstration/demonstration.h"
+#include "engine/exchange/column_guess.h"
+#include "engine/exchange/column_map.h"
 #include "engine/exchange/imported.h"
 #include "engine/exchange/robomimic.h"
 #include "engine/spatial/pose.h"
@@ -48,7 +51,12 @@ struct ImportOptions {
   std::filesystem::path transcription;  ///< Of gestures, for JIGSAWS; may be empty.
   spatial::Pose X_WF;                   ///< Of the file's frame F; every pose is moved by it.
   RobomimicOptions robomimic;           ///< For HDF5.
+  std::optional<ColumnMap> map;         ///< For tables (csv, npy) that are not as Trocar writes them.
 };
+
+/// What the columns of the file may be; nothing for a file that is read without a map.
+/// Errors: kIo; kCorrupt for what is no table; kUnsupported if nothing of use is recognised.
+Result<std::optional<ColumnGuess>> guess_columns(const std::filesystem::path& path, Format format);
 
 /// All that the file holds, at least one. The provenance's `device` is the file's name, unless Trocar wrote another;
 /// the time of import is left to the caller. Errors: kIo; kInvalidArgument for an option that the format does not have;
