@@ -70,19 +70,32 @@ struct Lamp {
   std::optional<PanelId> panel;  ///< Shown by a click.
 };
 
+std::size_t problems_of(const WorkbenchState& state) {
+  if (!state.review) return 0;
+  const auto& problems = state.review->review.problems;
+  return review::count_of(problems, demonstration::Severity::kError) +
+         review::count_of(problems, demonstration::Severity::kWarning);
+}
+
 // From right to left.
 std::vector<Lamp> lamps_of(const WorkbenchState& state) {
   const auto running = std::count_if(state.jobs.begin(), state.jobs.end(), [](const workbench::JobView& job) {
     return job.state == JobState::kRunning || job.state == JobState::kQueued;
   });
-  const auto problems = std::count_if(state.log.begin(), state.log.end(), [](const workbench::LogLine& line) {
+  const auto reported = std::count_if(state.log.begin(), state.log.end(), [](const workbench::LogLine& line) {
     return line.severity != workbench::Severity::kInfo;
   });
   std::vector<Lamp> lamps;
   lamps.push_back({"SIM", icon::kChip, "", false, "SIM: every arm is simulated; no real arm is connected", {}});
+  if (reported > 0) {
+    lamps.push_back({count(reported) + " in the log", icon::kList, count(reported), false,
+                     "Warnings and errors are in the log", PanelId::kLog});
+  }
+  // Notes are worth knowing and no problem.
+  const auto problems = static_cast<std::int64_t>(problems_of(state));
   if (problems > 0) {
     lamps.push_back({count(problems) + (problems == 1 ? " problem" : " problems"), icon::kWarning, count(problems),
-                     false, "Warnings and errors are in the log", PanelId::kLog});
+                     false, "Errors and warnings about the selected demonstration", PanelId::kProblems});
   }
   if (running > 0) {
     lamps.push_back({count(running) + (running == 1 ? " job" : " jobs"), icon::kTasks, count(running), true,

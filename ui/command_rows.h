@@ -29,6 +29,7 @@ std::span<const RowData> undo_rows();
 std::span<const RowData> clipboard_rows();
 std::span<const RowData> edit_rows();
 std::span<const RowData> selection_rows();
+std::span<const RowData> review_rows();
 std::span<const RowData> view_rows();
 std::span<const RowData> transport_rows();
 std::span<const RowData> help_rows();

@@ -132,6 +132,12 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
   if (const auto* verify = std::get_if<VerifyReplay>(&command)) {
     return fmt::format("trocar demo replay {} {} --verify", project, verify->demonstration.value);
   }
+  if (const auto* simulate = std::get_if<SimulateDemonstration>(&command)) {
+    return fmt::format("trocar demo check {} {} --simulate", project, simulate->demonstration.value);
+  }
+  if (const auto* fix = std::get_if<FixProblems>(&command)) {
+    return fmt::format("trocar demo check {} {} --fix all", project, fix->demonstration.value);
+  }
   if (const auto* video = std::get_if<ExportVideo>(&command)) {
     return video_text(*video, project);
   }

@@ -5,6 +5,7 @@
 #include "ui/panels/fields_panel.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/library_panel.h"
+#include "ui/panels/problems_panel.h"
 #include "ui/panels/rollouts_panel.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/panels/train_panel.h"
@@ -36,6 +37,8 @@ std::unique_ptr<Panel> make_panel(PanelId panel) {
       return std::make_unique<LogPanel>();
     case PanelId::kEdits:
       return std::make_unique<EditsPanel>();
+    case PanelId::kProblems:
+      return std::make_unique<ProblemsPanel>();
   }
   return nullptr;
 }

@@ -25,8 +25,9 @@ enum class PanelId : std::uint8_t {
   kJobs,
   kLog,
   kEdits,
+  kProblems,
 };
-constexpr std::size_t kPanelCount = 11;
+constexpr std::size_t kPanelCount = 12;
 /// "Library", as on its tab.
 std::string_view title(PanelId panel);
 const char* icon_of(PanelId panel);

@@ -70,7 +70,7 @@ void add_model_problems(const Reviewed& of, const SegmentGoal& goal, std::vector
   });
   for (const ProblemRun& run : outside) {
     found.push_back({ProblemKind::kSafeSet, Severity::kWarning, of.times_s[run.first], of.times_s[run.last],
-                     fmt::format("{} samples of segment {} lie outside of the safe set of {}", run.last - run.first + 1,
+                     fmt::format("{} samples of segment {} lie outside of the safe set of {}", run.count,
                                  letter(goal.segment), goal.model),
                      "", 0});
   }

@@ -22,7 +22,8 @@ struct ProblemRun {
   std::size_t first = 0;
   std::size_t last = 0;
   std::size_t worst = 0;
-  double value = 0.0;  ///< At the worst.
+  double value = 0.0;     ///< At the worst.
+  std::size_t count = 0;  ///< Of samples that have it.
 };
 /// `value(i)`: how bad it is at sample i, above 0; nothing where it is fine. What is at most `together_s` apart is one.
 template <typename Value>
@@ -31,9 +32,10 @@ std::vector<ProblemRun> runs_of(const Reviewed& of, const Value& value, double t
   for (std::size_t i = 0; i < of.times_s.size(); ++i) {
     const std::optional<double> bad = value(i);
     if (!bad) continue;
-    if (runs.empty() || of.times_s[i] - of.times_s[runs.back().last] > together_s) runs.push_back({i, i, i, *bad});
+    if (runs.empty() || of.times_s[i] - of.times_s[runs.back().last] > together_s) runs.push_back({i, i, i, *bad, 0});
     ProblemRun& run = runs.back();
     run.last = i;
+    ++run.count;
     if (*bad > run.value) {
       run.worst = i;
       run.value = *bad;

@@ -19,6 +19,8 @@ using kinematics::ArmSide;
 
 constexpr double kLeadSpeed_m_s = 0.05;
 constexpr double kLeadTurn_rad_s = 1.0;
+/// From anywhere within reach; what is farther away is refused and not waited for.
+constexpr double kLongestLead_s = 20.0;
 constexpr int kHoldTicks = 500;
 
 Status check(const Demonstration& document) {
@@ -58,17 +60,19 @@ class Driver {
                           spatial::angle_between(first[i].X_WT.q, now[i].X_WT.q) / kLeadTurn_rad_s,
                           std::abs(first[i].jaw_rad - now[i].jaw_rad) / kLeadTurn_rad_s});
     }
-    const int ticks = static_cast<int>(std::ceil(seconds * 1000.0));
+    const int ticks = static_cast<int>(std::ceil(std::min(seconds, kLongestLead_s) * 1000.0));
     for (int sub = 1; sub <= ticks; ++sub) command(now, first, sub, ticks);
     zero_tick_ = world_.state().tick.count;
     watch();
   }
 
-  void follow(const Sample& from, const Sample& to) {
+  /// Stops early when `progress` is cancelled, as gaps may be long.
+  void follow(const Sample& from, const Sample& to, const Progress& progress) {
     const Commands before = commands_of(from);
     const Commands after = commands_of(to);
     const int count = static_cast<int>(to.tick - from.tick);
     for (int sub = 1; sub <= count; ++sub) {
+      if (sub % 1000 == 0 && progress.cancelled()) return;
       command(before, after, sub, count);
       if ((world_.state().tick.count - zero_tick_) % kTicksPerSample == 0) watch();
     }
@@ -178,7 +182,7 @@ Result<Resimulation> resimulate(const Demonstration& document, Progress& progres
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the simulation was stopped");
     const Sample sample = samples[i];
-    driver.follow(before, sample);
+    driver.follow(before, sample, progress);
     before = sample;
     if (i % 20 == 0) progress.set(static_cast<double>(i) / static_cast<double>(samples.size()));
   }

@@ -126,6 +126,14 @@ struct TrainModel {
   int grid = 22;
   std::string name;  ///< Empty: made from method and segment.
 };
+/// Drives the simulator with it, as it is now: is the block still transferred?
+struct SimulateDemonstration {
+  DemonstrationId demonstration;
+};
+/// Makes the quick fixes of all its problems that help, each a step of the history.
+struct FixProblems {
+  DemonstrationId demonstration;
+};
 struct VerifyReplay {
   DemonstrationId demonstration;
 };
@@ -150,9 +158,10 @@ struct CancelJob {
   JobId id;
 };
 
-using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview,
-                             SelectDemonstration, SelectModel, SetPlayhead, Play, SetSelection, CopyRun, SetSnapping,
-                             SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetField, SetRollouts, RecordScripted,
-                             StopRecording, TrainModel, VerifyReplay, ExportVideo, ExportField, CancelJob>;
+using Command =
+    std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SelectDemonstration,
+                 SelectModel, SetPlayhead, Play, SetSelection, CopyRun, SetSnapping, SetLoop, SetCamera,
+                 SetCameraPreset, SetViewSize, SetField, SetRollouts, RecordScripted, StopRecording, TrainModel,
+                 VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, CancelJob>;
 
 }  // namespace trocar::workbench

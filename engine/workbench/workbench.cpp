@@ -16,7 +16,11 @@ Workbench::Impl::Impl(Options options_in)
         auto maker = std::make_shared<InsightMaker>();
         return [maker](const InsightRequest& request) { return maker->make(request); };
       }),
-      preview([] { return preview_of; }) {
+      preview([] { return preview_of; }),
+      review([] {
+        auto maker = std::make_shared<ReviewMaker>();
+        return [maker](const ReviewRequest& request) { return maker->make(request); };
+      }) {
   if (!options.clock) options.clock = std::make_shared<SystemClock>();
   if (options.picture) view.emplace();
   last_poll_s = options.clock->now_s();
@@ -181,6 +185,7 @@ bool Workbench::Impl::poll() {
     state.preview = preview.answer();
     dirty = true;
   }
+  follow_review();
   if (view && view->poll(state, now_s)) dirty = true;
   return std::exchange(dirty, false);
 }
@@ -199,7 +204,8 @@ bool Workbench::poll() {
 
 bool Workbench::busy() const {
   return impl_->jobs.busy() || impl_->opening.busy() || impl_->recording || impl_->state.play_speed != 0.0 ||
-         impl_->insight.pending() || impl_->preview.pending() || (impl_->view && impl_->view->busy());
+         impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() ||
+         (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

@@ -42,6 +42,8 @@ struct Workbench::Impl {
   void on(const StopRecording& command);
   void on(const TrainModel& command);
   void on(const VerifyReplay& command);
+  void on(const SimulateDemonstration& command);
+  void on(const FixProblems& command);
   void on(const ExportVideo& command);
   void on(const ExportField& command);
   void on(const CancelJob& command);
@@ -63,6 +65,8 @@ struct Workbench::Impl {
   std::shared_ptr<const ModelEntry> model(ModelId id) const;
   /// Of a node of the history; "" for its root.
   std::string description_of(std::int64_t node) const;
+  /// Asks for the problems of what is selected, and takes in what was found.
+  void follow_review();
   void advance_playhead(double elapsed_s);
   /// What is played again and again; none: playing ends at the gate.
   std::optional<TimeSpan> looped() const;
@@ -83,6 +87,8 @@ struct Workbench::Impl {
   std::optional<ViewDirector> view;
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
   LatestWorker<PreviewRequest, std::shared_ptr<const EditPreview>> preview;
+  LatestWorker<ReviewRequest, std::shared_ptr<const ReviewView>> review;
+  ReviewRequest review_wanted;
   double last_poll_s = 0.0;
   bool dirty = false;
   JobRunner jobs;     // their threads end first

@@ -16,6 +16,7 @@
 #include "engine/workbench/live_runner.h"
 #include "engine/workbench/project.h"
 #include "engine/workbench/project_file.h"
+#include "engine/workbench/reviewing.h"
 
 namespace trocar::workbench {
 
@@ -43,6 +44,11 @@ struct WorkbenchState {
   ModelId model;
   /// What an edit that is being made would do, null if none is; for the selected demonstration.
   std::shared_ptr<const EditPreview> preview;
+  /// The problems of the selected demonstration; null until worked out, of an older version while `review_pending`.
+  std::shared_ptr<const ReviewView> review;
+  bool review_pending = false;
+  /// Of the selected demonstration as it is; nothing before it was asked for.
+  std::optional<SimulationView> simulation;
   double playhead_s = 0.0;
   double play_speed = 0.0;             ///< 0: paused.
   std::optional<TimeSpan> selection;   ///< In time, of the selected demonstration.

@@ -88,6 +88,7 @@ inline workbench::WorkbenchState made_state() {
   state.project = project;
   state.demonstration = {1};
   state.playhead_s = 2.0;
+  state.review = workbench::ReviewMaker().make({project->demonstrations.at({1}), nullptr});
   state.history = {{1, 0, "add demonstration", "Record Expert 1", "2026-03-01T12:03:41Z"},
                    {2, 1, "add demonstration", "Record Novice 2", "2026-03-01T12:04:10Z"}};
   state.head = 2;

@@ -30,6 +30,7 @@ constexpr std::array<LaneRow, kLaneCount> kLanes{{
     {"Holds L, R", "Which arm holds the block: left above, right below", 17.0F},
     {"Pedals", "The pedals: agent above, clutch below", 17.0F},
     {"Notes", "Markers and notes", 18.0F},
+    {"Problems", "Errors above, warnings below; the panel of that name tells more", 17.0F},
     {"Edits", "Where each edit of the stack has worked", 20.0F},
     {"Original", "The segments as they were recorded, at their times then", 20.0F},
 }};
@@ -50,6 +51,8 @@ class Lanes {
   /// A triangle that points up where a gripper opens, down where it closes; each has a place of its own.
   void mark(double t_s, bool up, Rgba colour) const;
   void note(const demonstration::Note& note, std::string_view label);
+  /// An error in the upper half, a warning in the lower.
+  void problem(const review::Problem& problem);
   /// A frame around a span, and words in it as far as there is room.
   void outline(double begin_s, double end_s, std::string_view words) const;
   /// Where something was taken out: two triangles that meet.
@@ -166,6 +169,23 @@ void Lanes::note(const demonstration::Note& note, std::string_view label) {
   if (rect.contains(mouse.x, mouse.y)) ui_.set_hint(fmt::format("Note at {:.2f} s: {}", note.begin_s, note.text));
 }
 
+void Lanes::problem(const review::Problem& problem) {
+  const bool error = problem.severity == demonstration::Severity::kError;
+  const float x0 = layout_.x_of(problem.begin_s);
+  const float x1 = std::max(layout_.x_of(problem.end_s), x0 + ui_.px(4));
+  if (x1 < layout_.lanes.x0 || x0 > layout_.lanes.x1) return;
+  const float middle = std::round(y_ + 0.5F * height_);
+  const float low = error ? middle - 1.0F : y_ + height_ - ui_.px(2);
+  const Rect rect{std::max(x0, layout_.lanes.x0), error ? y_ + ui_.px(2) : middle + 1.0F,
+                  std::min(x1, layout_.lanes.x1), low};
+  list().AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(error ? ui_.theme().danger : ui_.theme().warning),
+                       error ? 0.0F : ui_.px(2));
+  note_rect(ui_, "mark", problem.id, problem.message, rect);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (!rect.contains(mouse.x, mouse.y)) return;
+  ui_.set_hint(fmt::format("{} at {:.2f} s: {}", error ? "Error" : "Warning", problem.begin_s, problem.message));
+}
+
 Rect Lanes::rect_of(double begin_s, double end_s) const {
   const float x0 = std::clamp(layout_.x_of(begin_s), layout_.lanes.x0, layout_.lanes.x1);
   const float x1 = std::clamp(layout_.x_of(end_s), layout_.lanes.x0, layout_.lanes.x1);
@@ -253,6 +273,14 @@ void draw_notes(Lanes& lanes, const demonstration::Demonstration& shown) {
   UniqueNames unique;
   lanes.begin(Lane::kNotes);
   for (const demonstration::Note& note : shown.notes) lanes.note(note, unique("Note"));
+  lanes.end();
+}
+
+void draw_problems(Lanes& lanes, std::span<const review::Problem> problems) {
+  lanes.begin(Lane::kProblems);
+  for (const review::Problem& problem : problems) {
+    if (problem.severity != demonstration::Severity::kInfo) lanes.problem(problem);
+  }
   lanes.end();
 }
 
@@ -350,7 +378,7 @@ void draw_ruler(Ui& ui, const LaneLayout& layout) {
 }
 
 void draw_lanes(Ui& ui, const LaneLayout& layout, const LaneSet& lane_set, const demonstration::Demonstration& shown,
-                const LaneData& data) {
+                const LaneData& data, std::span<const review::Problem> problems) {
   Lanes lanes(ui, layout);
   const Rgba left = mix(ui.theme().accent, ui.theme().text, 0.1F);
   const Rgba right = mix(ui.theme().warning, ui.theme().text, 0.1F);
@@ -366,6 +394,7 @@ void draw_lanes(Ui& ui, const LaneLayout& layout, const LaneSet& lane_set, const
                {ui.theme().good, ui.theme().text_dim});
   }
   if (has(lane_set, Lane::kNotes)) draw_notes(lanes, shown);
+  if (has(lane_set, Lane::kProblems)) draw_problems(lanes, problems);
   if (has(lane_set, Lane::kEdits)) draw_edits(lanes, ui, shown, data);
   if (has(lane_set, Lane::kOriginal)) draw_original(lanes, data);
 }

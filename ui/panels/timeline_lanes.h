@@ -3,8 +3,10 @@
 
 #include <bitset>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
+#include "engine/review/review.h"
 #include "ui/panels/lane_data.h"
 #include "ui/panels/time_range.h"
 #include "ui/widgets/widgets.h"
@@ -20,10 +22,11 @@ enum class Lane : std::uint8_t {
   kHolds,
   kPedals,
   kNotes,
+  kProblems,
   kEdits,
   kOriginal
 };
-constexpr std::size_t kLaneCount = 9;
+constexpr std::size_t kLaneCount = 10;
 using LaneSet = std::bitset<kLaneCount>;
 constexpr bool has(const LaneSet& lanes, Lane lane) {
   return lanes[static_cast<std::size_t>(lane)];
@@ -51,6 +54,6 @@ float lanes_height(const Ui& ui, const LaneSet& shown);
 void draw_ruler(Ui& ui, const LaneLayout& layout);
 /// The shown lanes from the top. Words stand between the gates, and times of segments are cut to them.
 void draw_lanes(Ui& ui, const LaneLayout& layout, const LaneSet& lanes, const demonstration::Demonstration& shown,
-                const LaneData& data);
+                const LaneData& data, std::span<const review::Problem> problems);
 
 }  // namespace trocar::ui
