@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "engine/plot/colour_map.h"
-#include "engine/plot/decimate.h"
 
 using namespace trocar::plot;
 
@@ -134,35 +133,4 @@ TEST_CASE("neighbouring ticks never share a label") {
     const auto labels = format_ticks(scale, found);
     for (std::size_t i = 1; i < labels.size(); ++i) RC_ASSERT(labels[i] != labels[i - 1]);
   });
-}
-
-TEST_CASE("decimation keeps the extremes of every column, so that a spike stays visible") {
-  std::vector<double> x;
-  std::vector<double> y;
-  for (int i = 0; i < 10000; ++i) {
-    x.push_back(i * 0.005);
-    y.push_back(std::sin(i * 0.001));
-  }
-  y[4321] = 50.0;
-  y[4322] = kNan;
-  const auto columns = decimate(x, y, 0.0, x.back(), 100);
-  REQUIRE(columns.size() == 100);
-  CHECK(columns[43].high == 50.0);
-  for (const auto& column : columns) {
-    REQUIRE(column.filled);
-    CHECK(column.low <= column.first);
-    CHECK(column.last <= column.high);
-  }
-  CHECK(columns.front().first == y.front());
-  CHECK(columns.back().last == y.back());
-}
-
-TEST_CASE("columns without samples stay empty") {
-  const std::vector<double> x{0.0, 10.0};
-  const std::vector<double> y{1.0, 2.0};
-  const auto columns = decimate(x, y, 0.0, 10.0, 10);
-  CHECK(columns[0].filled);
-  CHECK(columns[9].last == 2.0);
-  for (std::size_t c = 1; c < 9; ++c) CHECK_FALSE(columns[c].filled);
-  CHECK_FALSE(decimate(x, y, 20.0, 30.0, 4)[0].filled);
 }
