@@ -7,7 +7,6 @@ namespace trocar::demonstration {
 namespace {
 
 constexpr double kKnotDistance_s = 0.020;
-constexpr double kGap_s = 0.1;
 
 struct Knot {
   double t_s = 0.0;
@@ -15,10 +14,10 @@ struct Knot {
 };
 
 /// Samples at least 20 ms apart.
-std::vector<Knot> knots_of(const Demonstration& document, std::size_t arm) {
+std::vector<Knot> knots_of(const SampleTrack& samples, std::int64_t first_tick, std::size_t arm) {
   std::vector<Knot> knots;
-  for (const Sample& sample : document.gated()) {
-    const double t_s = document.time_of(sample);
+  for (const Sample& sample : samples) {
+    const double t_s = Tick{sample.tick - first_tick}.seconds();
     if (!knots.empty() && t_s - knots.back().t_s < kKnotDistance_s - 1e-9) continue;
     knots.push_back({t_s, measured_tip(sample, arm)});
   }
@@ -47,12 +46,16 @@ Eigen::Vector3d measured_tip(const Sample& sample, std::size_t arm) {
 }
 
 std::vector<MotionPoint> motion_of(const Demonstration& document, std::size_t arm) {
-  const std::vector<Knot> knots = knots_of(document, arm);
+  return motion_of(document.gated(), document.first_tick(), arm);
+}
+
+std::vector<MotionPoint> motion_of(const SampleTrack& samples, std::int64_t first_tick, std::size_t arm) {
+  const std::vector<Knot> knots = knots_of(samples, first_tick, arm);
   std::vector<MotionPoint> points;
   for (std::size_t i = 0; i + 4 <= knots.size(); ++i) {
     const std::span<const Knot, 4> four(&knots[i], 4);
     const bool whole = std::adjacent_find(four.begin(), four.end(), [](const Knot& a, const Knot& b) {
-                         return b.t_s - a.t_s > kGap_s;
+                         return b.t_s - a.t_s > kMotionGap_s;
                        }) == four.end();
     if (whole) points.push_back(point_at(four));
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,9 +11,12 @@
 
 namespace trocar::demonstration {
 
-/// At one instant, by differences over at least 20 ms, so that rounding to single precision does not show.
+/// At one instant, from four samples that are at least 20 ms apart each, so that rounding to single precision does not
+/// show. The differences are the filter: speed is a mean over 20 ms (the middle two), acceleration over 60 ms (the mean
+/// of two second differences), jerk over 60 ms (the third difference). Of a path that is cubic in time and sampled
+/// evenly, acceleration and jerk are exact.
 struct MotionPoint {
-  double t_s = 0.0;  ///< Of the demonstration.
+  double t_s = 0.0;  ///< Of the demonstration: the middle of the four.
   double speed_m_s = 0.0;
   double acceleration_m_s2 = 0.0;
   double jerk_m_s3 = 0.0;
@@ -24,6 +28,11 @@ Eigen::Vector3d measured_tip(const Sample& sample, std::size_t arm);
 /// Of one arm (0 left, 1 right) between the gates; empty for fewer than 5 samples. Differences are not taken across
 /// a gap of more than 0.1 s.
 std::vector<MotionPoint> motion_of(const Demonstration& document, std::size_t arm);
+/// Of any samples; times count from `first_tick`.
+std::vector<MotionPoint> motion_of(const SampleTrack& samples, std::int64_t first_tick, std::size_t arm);
+
+/// Beyond this, two neighbours are apart: nothing is said of what was between them.
+constexpr double kMotionGap_s = 0.1;
 
 /// The length of an arm's measured path between the gates, in metres.
 double path_length_m(const Demonstration& document, std::size_t arm);
