@@ -148,14 +148,16 @@ std::vector<std::string> label_differences(const Demonstration& before, const De
   return clauses;
 }
 
+bool of_one_recording(const Demonstration& before, const Demonstration& after) {
+  return before.recording == after.recording || (before.recording->id && before.recording->id == after.recording->id);
+}
+
 Difference difference(const Demonstration& before, const Demonstration& after) {
   Difference result;
   result.duration_change_s = after.duration_s() - before.duration_s();
   const SampleTrack old_samples = before.gated();
   const SampleTrack new_samples = after.gated();
-  const bool one_recording =
-      before.recording == after.recording || (before.recording->id && before.recording->id == after.recording->id);
-  if (one_recording || old_samples.empty() || new_samples.empty()) {
+  if (of_one_recording(before, after) || old_samples.empty() || new_samples.empty()) {
     match_ticks(old_samples, new_samples, result);
   } else {
     match_times(before, after, result);

@@ -18,6 +18,9 @@ struct Difference {
   double rms_deviation_m = 0.0;
 };
 
+/// True if samples of both with one tick are the same moment of one recording.
+bool of_one_recording(const Demonstration& before, const Demonstration& after);
+
 /// Versions of one recording are matched sample by sample; different recordings by the time since their begin gates,
 /// `before` interpolated, so that what one is longer by counts as removed or added.
 Difference difference(const Demonstration& before, const Demonstration& after);
