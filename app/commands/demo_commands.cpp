@@ -133,7 +133,8 @@ void add_demo_commands(CLI::App& root, Action& chosen) {
   add_demo_edit_commands(noun, chosen);
   add_demo_copy_commands(noun, chosen);
   add_demo_review_commands(noun, chosen);
-  add_demo_check_commands(noun, chosen);
+  add_demo_diff_command(noun, chosen);
+  add_demo_plot_command(noun, chosen);
   add_demo_exchange_commands(noun, chosen);
 }
 

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/commands/demo_commands.h"
+#include "engine/figure/curve_figure.h"
+#include "engine/media/picture_file.h"
+#include "engine/workbench/curves.h"
+
+namespace trocar::app {
+namespace {
+
+using demonstration::CurveKind;
+
+struct PlotArguments {
+  std::string project;
+  std::string demonstration;
+  std::vector<std::string> curves{"speed", "jerk"};
+  std::string out;
+  std::string arm = "both";
+  double from_s = -1.0;
+  double to_s = -1.0;
+  int width = 1000;
+};
+
+void bind_plot(CLI::App& verb, PlotArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("DEMO", arguments.demonstration, "Its id or name")->required();
+  verb.add_option("--curve", arguments.curves, "x, y, z, speed, acceleration, jerk, jaw: one or more, with commas")
+      ->delimiter(',')
+      ->capture_default_str();
+  verb.add_option("--arm", arguments.arm, "left, right or both")
+      ->check(CLI::IsMember({"left", "right", "both"}))
+      ->capture_default_str();
+  verb.add_option("--from", arguments.from_s, "Begin in seconds (else the begin gate)")->check(CLI::NonNegativeNumber);
+  verb.add_option("--to", arguments.to_s, "End in seconds (else the end gate)")->check(CLI::NonNegativeNumber);
+  verb.add_option("--width", arguments.width, "Of the figure, in pixels")
+      ->check(CLI::Range(480, 8000))
+      ->capture_default_str();
+  verb.add_option("--out", arguments.out, "F.png, F.svg, or F.csv for the numbers")->required();
+}
+
+Result<figure::CurveFigure> figure_of(const PlotArguments& arguments, const demonstration::Demonstration& shown) {
+  figure::CurveFigure made;
+  made.title = shown.name;
+  made.begin_s = arguments.from_s >= 0.0 ? arguments.from_s : shown.begin_s;
+  made.end_s = arguments.to_s >= 0.0 ? arguments.to_s : shown.end_s;
+  made.width_px = arguments.width;
+  if (!(made.begin_s < made.end_s)) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("from {:.3f} to {:.3f} s there is nothing to plot", made.begin_s, made.end_s));
+  }
+  for (const std::string& name : arguments.curves) {
+    TROCAR_ASSIGN_OR_RETURN(const CurveKind kind, demonstration::curve_kind_from(name));
+    const workbench::CurveLook& look = workbench::look_of(kind);
+    figure::CurvePlot drawn{
+        std::string(look.title), std::string(look.unit), {}, workbench::limits_of(kind), look.from_zero};
+    for (int arm = 0; arm < 2; ++arm) {
+      if (arguments.arm == (arm == 0 ? "right" : "left")) continue;
+      drawn.lines.push_back(
+          {std::string(workbench::arm_title(arm)), workbench::plotted(shown.samples, shown.first_tick(), kind, arm)});
+    }
+    made.plots.push_back(std::move(drawn));
+  }
+  return made;
+}
+
+/// The least and greatest of each line, so that the answer says something that can be checked.
+Json ranges_of(const figure::CurveFigure& made) {
+  Json ranges = Json::array();
+  for (const figure::CurvePlot& each : made.plots) {
+    for (const figure::FigureLine& line : each.lines) {
+      const std::optional<plot::Extent> extent = line.curve->extent(made.begin_s, made.end_s);
+      Json range{{"curve", each.title}, {"unit", each.unit}, {"arm", line.name}, {"low", nullptr}, {"high", nullptr}};
+      if (extent) range["low"] = extent->low;
+      if (extent) range["high"] = extent->high;
+      ranges.push_back(std::move(range));
+    }
+  }
+  return ranges;
+}
+
+Result<Answer> run_plot(const PlotArguments& arguments, Console& console) {
+  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png", ".svg", ".csv"}));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
+                          open_to_read(arguments.project, console, Models::kDescribed));
+  TROCAR_ASSIGN_OR_RETURN(const auto shown, find_demonstration(*file.project(), arguments.demonstration));
+  TROCAR_ASSIGN_OR_RETURN(const figure::CurveFigure made, figure_of(arguments, *shown));
+  const std::filesystem::path out = arguments.out;
+  const std::string ending = out.extension().string();
+  TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
+  if (ending == ".png") {
+    TROCAR_RETURN_IF_ERROR(media::write_png(out, figure::draw_curves(made)));
+  } else {
+    TROCAR_RETURN_IF_ERROR(ending == ".svg" ? figure::save_curves_svg(made, out) : figure::save_curves_csv(made, out));
+  }
+  std::error_code ignored;
+  Answer answer;
+  answer.json = {{"id", shown->id.value},     {"out", arguments.out},
+                 {"begin_s", made.begin_s},   {"end_s", made.end_s},
+                 {"curves", ranges_of(made)}, {"size_bytes", std::filesystem::file_size(out, ignored)}};
+  answer.summary = fmt::format("{} of {}", counted(made.plots.size(), "plot"), shown->name);
+  answer.text = fmt::format("Wrote {}: {}", arguments.out, answer.summary);
+  return answer;
+}
+
+}  // namespace
+
+void add_demo_plot_command(CLI::App& noun, Action& chosen) {
+  add_verb<PlotArguments>(noun, chosen, "plot", "Draw position, speed, acceleration, jerk or jaw over time", bind_plot,
+                          run_plot);
+}
+
+}  // namespace trocar::app

@@ -1,0 +1,242 @@
+#include "engine/figure/curve_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "engine/canvas/canvas.h"
+#include "engine/core/check.h"
+#include "engine/core/file.h"
+
+namespace trocar::figure {
+namespace {
+
+using canvas::Align;
+using canvas::Canvas;
+using canvas::Point;
+using canvas::TextStyle;
+using canvas::Weight;
+
+constexpr Rgba kInk{28, 30, 34, 255};
+constexpr Rgba kQuiet{96, 101, 109, 255};
+constexpr Rgba kGrid{226, 229, 233, 255};
+constexpr Rgba kBeyond{213, 60, 50, 28};
+constexpr Rgba kLimit{190, 40, 40, 255};
+/// Of Okabe and Ito: blue and vermilion.
+constexpr std::array<Rgba, 2> kLines{Rgba{0, 114, 178, 255}, Rgba{213, 94, 0, 255}};
+
+constexpr double kPlotHeight = 150.0;  // All at a width of 1000 pixels.
+constexpr double kPlotGap = 34.0;
+constexpr double kTop = 44.0;
+constexpr double kLeft = 72.0;
+constexpr double kRight = 22.0;
+constexpr double kBottom = 46.0;
+
+/// Where one plot lies, and what its edges stand for.
+struct Place {
+  double x = 0.0;
+  double y = 0.0;
+  double w = 0.0;
+  double h = 0.0;
+  double unit = 1.0;
+  plot::Axis time;
+  plot::Axis values;
+
+  Point at(plot::CurvePoint point) const {
+    return {x + time.position(point.x) * w, y + (1.0 - values.position(point.y)) * h};
+  }
+};
+
+double unit_of(const CurveFigure& figure) {
+  return std::max(figure.width_px, 480) / 1000.0;
+}
+
+double height_of(const CurveFigure& figure) {
+  const auto count = static_cast<double>(figure.plots.size());
+  return unit_of(figure) * (kTop + count * (kPlotHeight + kPlotGap) - kPlotGap + kBottom);
+}
+
+Place place_of(const CurveFigure& figure, std::size_t index) {
+  const CurvePlot& shown = figure.plots[index];
+  Place place;
+  place.unit = unit_of(figure);
+  place.x = kLeft * place.unit;
+  place.y = (kTop + static_cast<double>(index) * (kPlotHeight + kPlotGap)) * place.unit;
+  place.w = std::max(figure.width_px, 480) - (kLeft + kRight) * place.unit;
+  place.h = kPlotHeight * place.unit;
+  std::optional<plot::Extent> all;
+  for (const FigureLine& line : shown.lines) {
+    const std::optional<plot::Extent> one = line.curve->extent(figure.begin_s, figure.end_s);
+    if (one) all = all ? plot::Extent{std::min(all->low, one->low), std::max(all->high, one->high)} : *one;
+  }
+  const plot::Extent range = plot::value_range(all.value_or(plot::Extent{0.0, 1.0}), shown.from_zero, shown.limits);
+  place.time = plot::axis_over(figure.begin_s, figure.end_s, place.w, 90.0 * place.unit);
+  place.values = plot::axis_over(range.low, range.high, place.h, 30.0 * place.unit);
+  return place;
+}
+
+void draw_grid(Canvas& canvas, const Place& place, bool times) {
+  const TextStyle style{12.0 * place.unit, Weight::kRegular, kQuiet, Align::kRight};
+  for (std::size_t i = 0; i < place.values.ticks.size(); ++i) {
+    const double y = place.at({place.time.low, place.values.ticks[i]}).y;
+    canvas.line({place.x, y}, {place.x + place.w, y}, kGrid, place.unit);
+    canvas.text({place.x - 7.0 * place.unit, y + 4.0 * place.unit}, place.values.labels[i], style);
+  }
+  TextStyle below = style;
+  below.align = Align::kCentre;
+  for (std::size_t i = 0; i < place.time.ticks.size(); ++i) {
+    const double x = place.at({place.time.ticks[i], place.values.low}).x;
+    canvas.line({x, place.y}, {x, place.y + place.h}, kGrid, place.unit);
+    if (times) canvas.text({x, place.y + place.h + 17.0 * place.unit}, place.time.labels[i], below);
+  }
+  if (times) {
+    canvas.text({place.x + 0.5 * place.w, place.y + place.h + 36.0 * place.unit}, "time, s", below);
+  }
+}
+
+void draw_limit(Canvas& canvas, const Place& place, double limit, bool above, const std::string& words) {
+  if (!(limit > place.values.low && limit < place.values.high)) return;
+  const double y = place.at({place.time.low, limit}).y;
+  const double top = above ? place.y : y;
+  const double height = above ? y - place.y : place.y + place.h - y;
+  canvas.rectangle(place.x, top, place.w, height, kBeyond);
+  canvas.line({place.x, y}, {place.x + place.w, y}, kLimit, place.unit);
+  if (height < 13.0 * place.unit) return;
+  canvas.text({place.x + place.w - 5.0 * place.unit, above ? y - 4.0 * place.unit : y + 12.0 * place.unit}, words,
+              {11.0 * place.unit, Weight::kRegular, kLimit, Align::kRight});
+}
+
+/// Cut to the times of the plot; values are within it.
+std::vector<Point> cut(const std::vector<plot::CurvePoint>& line, const Place& place) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    plot::CurvePoint point = line[i];
+    const bool early = point.x < place.time.low;
+    if (early || point.x > place.time.high) {
+      const bool has_inner = early ? i + 1 < line.size() : i > 0;
+      if (!has_inner) continue;
+      const plot::CurvePoint& inner = early ? line[i + 1] : line[i - 1];
+      const double edge = early ? place.time.low : place.time.high;
+      if (early ? inner.x < edge : inner.x > edge) continue;
+      point.y += (inner.y - point.y) * (edge - point.x) / (inner.x - point.x);
+      point.x = edge;
+    }
+    points.push_back(place.at(point));
+  }
+  return points;
+}
+
+void draw_dashed(Canvas& canvas, const std::vector<Point>& points, Rgba colour, double width) {
+  const std::array<double, 2> lengths{4.5 * width, 2.5 * width};
+  std::vector<Point> piece{points.front()};
+  bool down = true;
+  double left = lengths[0];
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    Point at = points[i - 1];
+    double way = std::hypot(points[i].x - at.x, points[i].y - at.y);
+    for (; way > left; left = lengths[down ? 0 : 1]) {
+      const double share = left / way;
+      at = {at.x + share * (points[i].x - at.x), at.y + share * (points[i].y - at.y)};
+      way -= left;
+      piece.push_back(at);
+      if (down) canvas.polyline(piece, colour, width);
+      piece = {at};
+      down = !down;
+    }
+    left -= way;
+    piece.push_back(points[i]);
+  }
+  if (down && piece.size() > 1) canvas.polyline(piece, colour, width);
+}
+
+void draw_lines(Canvas& canvas, const CurvePlot& shown, const Place& place) {
+  const double width = 1.8 * place.unit;
+  for (std::size_t i = 0; i < shown.lines.size(); ++i) {
+    const Rgba colour = kLines[i % kLines.size()];
+    const auto columns = static_cast<int>(place.w);
+    for (const auto& line : shown.lines[i].curve->lines(place.time.low, place.time.high, columns)) {
+      const std::vector<Point> points = cut(line, place);
+      if (points.size() < 2) continue;
+      if (i % 2 == 1) {
+        draw_dashed(canvas, points, colour, width);
+      } else {
+        canvas.polyline(points, colour, width);
+      }
+    }
+  }
+}
+
+/// Above the plot: title and unit on the left, the lines' names on the right.
+void draw_heading(Canvas& canvas, const CurvePlot& shown, const Place& place) {
+  const double y = place.y - 8.0 * place.unit;
+  canvas.text({place.x, y}, fmt::format("{}, {}", shown.title, shown.unit),
+              {13.0 * place.unit, Weight::kSemiBold, kInk, Align::kLeft});
+  double x = place.x + place.w;
+  const TextStyle style{12.0 * place.unit, Weight::kRegular, kInk, Align::kRight};
+  for (std::size_t i = shown.lines.size(); i-- > 0;) {
+    canvas.text({x, y}, shown.lines[i].name, style);
+    x -= canvas.text_width(shown.lines[i].name, style) + 6.0 * place.unit;
+    const std::vector<Point> sample{{x - 28.0 * place.unit, y - 4.0 * place.unit}, {x, y - 4.0 * place.unit}};
+    const Rgba colour = kLines[i % kLines.size()];
+    if (i % 2 == 1) {
+      draw_dashed(canvas, sample, colour, 1.8 * place.unit);
+    } else {
+      canvas.polyline(sample, colour, 1.8 * place.unit);
+    }
+    x -= 44.0 * place.unit;
+  }
+}
+
+void draw(Canvas& canvas, const CurveFigure& figure) {
+  TROCAR_CHECK(figure.begin_s < figure.end_s);
+  const double unit = unit_of(figure);
+  canvas.rectangle(0.0, 0.0, std::max(figure.width_px, 480), height_of(figure), {255, 255, 255, 255});
+  canvas.text({0.5 * (figure.width_px + (kLeft - kRight) * unit), 19.0 * unit}, figure.title,
+              {14.0 * unit, Weight::kSemiBold, kInk, Align::kCentre});
+  for (std::size_t i = 0; i < figure.plots.size(); ++i) {
+    const Place place = place_of(figure, i);
+    draw_grid(canvas, place, i + 1 == figure.plots.size());
+    for (const plot::Band& limit : figure.plots[i].limits) {
+      draw_limit(canvas, place, limit.high, true, limit.label);
+      draw_limit(canvas, place, limit.low, false, limit.label);
+    }
+    draw_lines(canvas, figure.plots[i], place);
+    canvas.outline(place.x, place.y, place.w, place.h, kQuiet, place.unit);
+    draw_heading(canvas, figure.plots[i], place);
+  }
+}
+
+}  // namespace
+
+Image draw_curves(const CurveFigure& figure) {
+  const auto height = static_cast<int>(std::ceil(height_of(figure)));
+  Canvas canvas(Image(std::max(figure.width_px, 480), height, {255, 255, 255, 255}));
+  draw(canvas, figure);
+  return canvas.picture();
+}
+
+Status save_curves_svg(const CurveFigure& figure, const std::filesystem::path& path) {
+  Canvas canvas = Canvas::svg(std::max(figure.width_px, 480), std::ceil(height_of(figure)));
+  draw(canvas, figure);
+  return canvas.save_svg(path);
+}
+
+Status save_curves_csv(const CurveFigure& figure, const std::filesystem::path& path) {
+  std::string text = "t_s,curve,unit,line,value\n";
+  for (const CurvePlot& shown : figure.plots) {
+    for (const FigureLine& line : shown.lines) {
+      const plot::Curve& curve = *line.curve;
+      for (std::size_t i = 0; i < curve.x().size(); ++i) {
+        if (curve.x()[i] < figure.begin_s || curve.x()[i] > figure.end_s || !std::isfinite(curve.y()[i])) continue;
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", curve.x()[i], shown.title, shown.unit, line.name,
+                       curve.y()[i]);
+      }
+    }
+  }
+  return write_file(path, text);
+}
+
+}  // namespace trocar::figure

@@ -1,0 +1,46 @@
+/// Curves over time as a figure: plots one above the other, with limits, units and one time axis; or as numbers.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/image.h"
+#include "engine/core/result.h"
+#include "engine/plot/axis.h"
+#include "engine/plot/curve.h"
+
+namespace trocar::figure {
+
+/// The first line of a plot is whole, the second dashed: colour is not all that tells them apart.
+struct FigureLine {
+  std::string name;  ///< "Left"
+  std::shared_ptr<const plot::Curve> curve;
+};
+
+struct CurvePlot {
+  std::string title;  ///< "Speed"
+  std::string unit;   ///< "mm/s"
+  std::vector<FigureLine> lines;
+  std::vector<plot::Band> limits;
+  bool from_zero = false;
+};
+
+struct CurveFigure {
+  std::string title;
+  std::vector<CurvePlot> plots;
+  double begin_s = 0.0;
+  double end_s = 1.0;
+  int width_px = 1000;  ///< At least 480.
+};
+
+/// Precondition (here and below): begin_s < end_s.
+Image draw_curves(const CurveFigure& figure);
+/// Errors: kIo.
+Status save_curves_svg(const CurveFigure& figure, const std::filesystem::path& path);
+/// Every sample between begin and end as a row "t_s,curve,unit,line,value"; the shortest text that reads back as the
+/// same number, none in a gap. Errors: kIo.
+Status save_curves_csv(const CurveFigure& figure, const std::filesystem::path& path);
+
+}  // namespace trocar::figure
