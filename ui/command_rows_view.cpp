@@ -36,7 +36,17 @@ Requests field_visible(const State& state) {
   return one(Command{SetField{settings}});
 }
 
-constexpr std::array<RowData, 16> kViewRows{{
+std::string no_comparison(const State& state) {
+  return state.comparing ? "" : "Compare with something first, in the panel Diff";
+}
+
+Requests comparison_in_view(const State& state) {
+  ComparisonSettings settings = *state.comparing;
+  settings.in_view = !settings.in_view;
+  return one(Command{CompareWith{settings}});
+}
+
+constexpr std::array<RowData, 19> kViewRows{{
     {"view.library",
      "View",
      "Library workspace",
@@ -127,6 +137,33 @@ constexpr std::array<RowData, 16> kViewRows{{
      false,
      no_model,
      ghosts},
+    {"view.curves",
+     "View",
+     "Show curves",
+     "Bring position, speed, acceleration, jerk and jaw over time to the front",
+     icon::kChart,
+     {},
+     false,
+     no_demonstration,
+     show<PanelId::kCurves>},
+    {"view.diff",
+     "View",
+     "Show differences",
+     "Compare the demonstration with its original, its past or another one",
+     icon::kBranch,
+     {},
+     false,
+     no_demonstration,
+     show<PanelId::kDiff>},
+    {"view.comparison",
+     "View",
+     "Differences in the view",
+     "Draw or hide the path that the demonstration is compared with, and how far the tools are from it",
+     icon::kEye,
+     {"Shift+G"},
+     false,
+     no_comparison,
+     comparison_in_view},
     {"view.scale_up",
      "View",
      "Larger text",

@@ -141,6 +141,10 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
   if (const auto* video = std::get_if<ExportVideo>(&command)) {
     return video_text(*video, project);
   }
+  if (const auto* compare = std::get_if<CompareWith>(&command)) {
+    return fmt::format("trocar demo diff {} {} --against {} --align {}", project, state.demonstration.value,
+                       to_words(compare->settings.against), demonstration::to_string(compare->settings.alignment));
+  }
   if (const auto* figure = std::get_if<ExportField>(&command)) return field_text(*figure, project);
   return "";
 }

@@ -1,6 +1,8 @@
 #include "ui/panel.h"
 
 #include "ui/panels/activity_panels.h"
+#include "ui/panels/curves_panel.h"
+#include "ui/panels/diff_panel.h"
 #include "ui/panels/edits_panel.h"
 #include "ui/panels/fields_panel.h"
 #include "ui/panels/inspector_panel.h"
@@ -13,14 +15,14 @@
 
 namespace trocar::ui {
 
-std::unique_ptr<Panel> make_panel(PanelId panel) {
+std::unique_ptr<Panel> make_panel(PanelId panel, const std::shared_ptr<SharedTime>& time) {
   switch (panel) {
     case PanelId::kLibrary:
       return std::make_unique<LibraryPanel>();
     case PanelId::kView:
       return std::make_unique<ViewPanel>();
     case PanelId::kTimeline:
-      return std::make_unique<TimelinePanel>();
+      return std::make_unique<TimelinePanel>(time);
     case PanelId::kFields:
       return std::make_unique<FieldsPanel>();
     case PanelId::kRollouts:
@@ -39,6 +41,10 @@ std::unique_ptr<Panel> make_panel(PanelId panel) {
       return std::make_unique<EditsPanel>();
     case PanelId::kProblems:
       return std::make_unique<ProblemsPanel>();
+    case PanelId::kCurves:
+      return std::make_unique<CurvesPanel>(time);
+    case PanelId::kDiff:
+      return std::make_unique<DiffPanel>(time);
   }
   return nullptr;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/workbench/workbench.h"
+#include "ui/panels/time_range.h"
 #include "ui/request.h"
 #include "ui/widgets/widgets.h"
 
@@ -19,6 +20,7 @@ class Panel {
   virtual Requests draw(Ui& ui, const WorkbenchState& state) = 0;
 };
 
-std::unique_ptr<Panel> make_panel(PanelId panel);
+/// `time` is what panels over time show; they share it.
+std::unique_ptr<Panel> make_panel(PanelId panel, const std::shared_ptr<SharedTime>& time);
 
 }  // namespace trocar::ui

@@ -1,6 +1,7 @@
 /// What a panel asks for: commands of the workbench, or acts of the window itself.
 #pragma once
 
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -35,8 +36,12 @@ struct ShowPanel {
 struct ShowWorkspace {
   Workspace workspace = Workspace::kAuthor;
 };
+/// Puts words on the clipboard.
+struct CopyText {
+  std::string text;
+};
 
-using Request = std::variant<workbench::Command, UiAction, ShowPanel, ShowWorkspace>;
+using Request = std::variant<workbench::Command, UiAction, ShowPanel, ShowWorkspace, CopyText>;
 using Requests = std::vector<Request>;
 
 }  // namespace trocar::ui

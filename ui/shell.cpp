@@ -77,7 +77,8 @@ float effective_scale(const Settings& settings, float content_scale) {
 }
 
 Shell::Shell(Settings& settings) : settings_(settings) {
-  for (std::size_t i = 0; i < kPanelCount; ++i) panels_[i] = make_panel(static_cast<PanelId>(i));
+  const auto time = std::make_shared<SharedTime>();
+  for (std::size_t i = 0; i < kPanelCount; ++i) panels_[i] = make_panel(static_cast<PanelId>(i), time);
   fronted_[static_cast<std::size_t>(PanelId::kView)] = front_counter_;
 }
 
@@ -100,7 +101,10 @@ void Shell::draw_tabs(Ui& ui, const Tile& tile, const Rect& rect) {
     const PanelId panel = tile.panels[static_cast<std::size_t>(i)];
     const bool active = i == tile.active;
     const std::string words = words_of_tab(panel, active, detail);
-    const float width = tab_width(ui, words, detail);
+    // Where even the icons are too many, they share what room there is.
+    const float share = std::floor(rect.width() / static_cast<float>(tile.panels.size()));
+    const bool crowded = detail == TabWords::kIconsOnly;
+    const float width = crowded ? std::min(tab_width(ui, words, detail), share) : tab_width(ui, words, detail);
     ImGui::SetCursorScreenPos({x, rect.y0});
     if (ImGui::InvisibleButton(std::string(title(panel)).c_str(), {width, rect.height()})) bring_to_front(panel);
     const bool hovered = ImGui::IsItemHovered();
@@ -292,6 +296,8 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
     } else if (const auto* workspace = std::get_if<ShowWorkspace>(&request)) {
       maximised_.reset();
       settings_.workspace = workspace->workspace;
+    } else if (const auto* copy = std::get_if<CopyText>(&request)) {
+      result.clipboard = copy->text;
     }
   }
 }

@@ -26,8 +26,10 @@ enum class PanelId : std::uint8_t {
   kLog,
   kEdits,
   kProblems,
+  kCurves,
+  kDiff,
 };
-constexpr std::size_t kPanelCount = 12;
+constexpr std::size_t kPanelCount = 14;
 /// "Library", as on its tab.
 std::string_view title(PanelId panel);
 const char* icon_of(PanelId panel);

@@ -16,6 +16,8 @@
 #include "engine/scene/scene.h"
 #include "engine/trial/transfer_session.h"
 #include "engine/workbench/clipboard.h"
+#include "engine/workbench/comparing.h"
+#include "engine/workbench/curves.h"
 #include "engine/workbench/edit.h"
 #include "engine/workbench/job_view.h"
 
@@ -47,6 +49,16 @@ struct SelectDemonstration {
 struct SelectModel {
   ModelId id;
 };
+
+/// Works out curves of the selected demonstration, or of what an edit that is being made would leave of it.
+struct ShowCurves {
+  CurveKinds kinds = 0;  ///< 0: none.
+};
+/// Compares the selected demonstration (as previewed) from now on, until the end or another comparison.
+struct CompareWith {
+  ComparisonSettings settings;
+};
+struct EndComparison {};
 
 struct SetPlayhead {
   double t_s = 0.0;
@@ -158,10 +170,10 @@ struct CancelJob {
   JobId id;
 };
 
-using Command =
-    std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SelectDemonstration,
-                 SelectModel, SetPlayhead, Play, SetSelection, CopyRun, SetSnapping, SetLoop, SetCamera,
-                 SetCameraPreset, SetViewSize, SetField, SetRollouts, RecordScripted, StopRecording, TrainModel,
-                 VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, CancelJob>;
+using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview,
+                             SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, SetPlayhead,
+                             Play, SetSelection, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize,
+                             SetField, SetRollouts, RecordScripted, StopRecording, TrainModel, VerifyReplay,
+                             SimulateDemonstration, FixProblems, ExportVideo, ExportField, CancelJob>;
 
 }  // namespace trocar::workbench

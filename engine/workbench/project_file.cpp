@@ -275,6 +275,10 @@ std::shared_ptr<const Project> ProjectFile::project() const {
   return impl_->project;
 }
 
+Result<std::shared_ptr<const Project>> ProjectFile::project_at(std::int64_t node) const {
+  return impl_->past(node);
+}
+
 std::size_t ProjectFile::recovered() const {
   return impl_->recovered;
 }

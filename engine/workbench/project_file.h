@@ -51,6 +51,8 @@ class ProjectFile {
   ProjectFile& operator=(ProjectFile&&) noexcept;
 
   std::shared_ptr<const Project> project() const;
+  /// The document at a point of the history, on whatever branch. Errors: kNotFound if there is no such point.
+  Result<std::shared_ptr<const Project>> project_at(std::int64_t node) const;
   /// Recordings that were recovered on opening.
   std::size_t recovered() const;
 

@@ -6,6 +6,7 @@
 
 #include "engine/figure/field_figure.h"
 #include "engine/learning/field.h"
+#include "engine/workbench/whiskers.h"
 
 namespace trocar::workbench {
 namespace {
@@ -42,6 +43,14 @@ void add_ghost_of(const demonstration::Demonstration& before, std::vector<stage:
     ghost.radius_m *= 0.6;
     paths.push_back(std::move(ghost));
   }
+}
+
+/// The comparison that is to be drawn, null if none is; not before it is of what is shown.
+const ComparisonView* drawn_comparison(const WorkbenchState& state) {
+  if (!state.comparing || !state.comparing->in_view || !state.comparison || !state.comparison->comparison) {
+    return nullptr;
+  }
+  return state.comparison.get();
 }
 
 /// As an edit that is being made would leave it, if one is.
@@ -111,6 +120,7 @@ ViewDirector::Shown ViewDirector::shown_by(const WorkbenchState& state) const {
   shown.demonstration = selected(state).get();
   shown.playhead_s = state.playhead_s;
   shown.insight = state.insight.get();
+  shown.comparison = drawn_comparison(state);
   shown.field = state.field;
   shown.rollouts = state.rollouts;
   shown.X_WC = camera_of(state).X_WC.matrix();
@@ -145,19 +155,26 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) {
 std::shared_ptr<const std::vector<stage::PathLayer>> ViewDirector::paths_for(const WorkbenchState& state) {
   const auto demonstration = selected(state);
   const void* insight = state.insight.get();
-  if (paths_ && paths_demonstration_ == demonstration.get() && paths_insight_ == insight &&
-      paths_ghosts_ == state.rollouts.ghosts) {
+  const ComparisonView* comparison = drawn_comparison(state);
+  if (paths_ && paths_comparison_ == comparison && paths_demonstration_ == demonstration.get() &&
+      paths_insight_ == insight && paths_ghosts_ == state.rollouts.ghosts) {
     return paths_;
   }
   auto paths = std::make_shared<std::vector<stage::PathLayer>>();
   if (demonstration && !demonstration->gated().empty()) {
     paths->push_back(stage::path_of(*demonstration, kinematics::ArmSide::kLeft));
     paths->push_back(stage::path_of(*demonstration, kinematics::ArmSide::kRight));
-    if (state.preview && state.preview->after) add_ghost_of(*state.preview->before, *paths);
+    if (comparison != nullptr && comparison->of.after == demonstration) {
+      add_ghost_of(*comparison->of.before, *paths);
+      add_whiskers(*comparison->comparison, *paths);
+    } else if (state.preview && state.preview->after) {
+      add_ghost_of(*state.preview->before, *paths);
+    }
   }
   if (state.insight && state.rollouts.ghosts) add_ghosts(*state.insight, *paths);
   paths_demonstration_ = demonstration.get();
   paths_insight_ = insight;
+  paths_comparison_ = comparison;
   paths_ghosts_ = state.rollouts.ghosts;
   paths_ = std::move(paths);
   return paths_;

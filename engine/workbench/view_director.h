@@ -37,6 +37,7 @@ class ViewDirector {
     const void* demonstration = nullptr;
     double playhead_s = -1.0;
     const void* insight = nullptr;
+    const void* comparison = nullptr;  ///< Null where it is not drawn.
     FieldSettings field;
     RolloutSettings rollouts;
     Eigen::Matrix4d X_WC = Eigen::Matrix4d::Zero();
@@ -58,6 +59,7 @@ class ViewDirector {
   bool coarse_ = true;
   const void* paths_demonstration_ = nullptr;
   const void* paths_insight_ = nullptr;
+  const void* paths_comparison_ = nullptr;
   bool paths_ghosts_ = false;
   std::shared_ptr<const std::vector<stage::PathLayer>> paths_;
   LatestWorker<ViewRequest, Answer> worker_;

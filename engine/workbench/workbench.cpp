@@ -20,7 +20,12 @@ Workbench::Impl::Impl(Options options_in)
       review([] {
         auto maker = std::make_shared<ReviewMaker>();
         return [maker](const ReviewRequest& request) { return maker->make(request); };
-      }) {
+      }),
+      curves([] {
+        auto maker = std::make_shared<CurveMaker>();
+        return [maker](const CurvesRequest& request) { return maker->make(request); };
+      }),
+      comparison([] { return comparison_of; }) {
   if (!options.clock) options.clock = std::make_shared<SystemClock>();
   if (options.picture) view.emplace();
   last_poll_s = options.clock->now_s();
@@ -186,6 +191,8 @@ bool Workbench::Impl::poll() {
     dirty = true;
   }
   follow_review();
+  follow_curves();
+  follow_comparison();
   if (view && view->poll(state, now_s)) dirty = true;
   return std::exchange(dirty, false);
 }
@@ -204,8 +211,8 @@ bool Workbench::poll() {
 
 bool Workbench::busy() const {
   return impl_->jobs.busy() || impl_->opening.busy() || impl_->recording || impl_->state.play_speed != 0.0 ||
-         impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() ||
-         (impl_->view && impl_->view->busy());
+         impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() || impl_->curves.pending() ||
+         impl_->comparison.pending() || (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

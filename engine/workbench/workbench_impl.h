@@ -27,6 +27,9 @@ struct Workbench::Impl {
   void on(const EndPreview& command);
   void on(const SelectDemonstration& command);
   void on(const SelectModel& command);
+  void on(const ShowCurves& command);
+  void on(const CompareWith& command);
+  void on(const EndComparison& command);
   void on(const SetPlayhead& command);
   void on(const Play& command);
   void on(const SetSelection& command);
@@ -67,6 +70,11 @@ struct Workbench::Impl {
   std::string description_of(std::int64_t node) const;
   /// Asks for the problems of what is selected, and takes in what was found.
   void follow_review();
+  /// The selected one, as an edit that is being made would leave it, if one is.
+  std::shared_ptr<const demonstration::Demonstration> shown() const;
+  /// Ask for what the state has come to need, and take in what is ready.
+  void follow_curves();
+  void follow_comparison();
   void advance_playhead(double elapsed_s);
   /// What is played again and again; none: playing ends at the gate.
   std::optional<TimeSpan> looped() const;
@@ -89,6 +97,11 @@ struct Workbench::Impl {
   LatestWorker<PreviewRequest, std::shared_ptr<const EditPreview>> preview;
   LatestWorker<ReviewRequest, std::shared_ptr<const ReviewView>> review;
   ReviewRequest review_wanted;
+  LatestWorker<CurvesRequest, std::shared_ptr<const CurveSet>> curves;
+  LatestWorker<ComparisonRequest, std::shared_ptr<const ComparisonView>> comparison;
+  CurvesRequest curves_wanted;
+  ComparisonRequest comparison_wanted;
+  std::shared_ptr<const Project> compared_in;
   double last_poll_s = 0.0;
   bool dirty = false;
   JobRunner jobs;     // their threads end first

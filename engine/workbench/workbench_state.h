@@ -49,6 +49,14 @@ struct WorkbenchState {
   bool review_pending = false;
   /// Of the selected demonstration as it is; nothing before it was asked for.
   std::optional<SimulationView> simulation;
+  /// What `ShowCurves` asked for, null until worked out; it may be of an older version while `curves_pending`.
+  std::shared_ptr<const CurveSet> curves;
+  CurveKinds curve_kinds = 0;
+  bool curves_pending = false;
+  /// What `CompareWith` asked for; likewise.
+  std::optional<ComparisonSettings> comparing;
+  std::shared_ptr<const ComparisonView> comparison;
+  bool comparison_pending = false;
   double playhead_s = 0.0;
   double play_speed = 0.0;             ///< 0: paused.
   std::optional<TimeSpan> selection;   ///< In time, of the selected demonstration.

@@ -240,6 +240,45 @@ class Demonstrations(CommandLineTest):
         self.assertEqual(answer["max_deviation_mm"], 0)
         self.assertEqual(answer["rms_deviation_mm"], 0)
 
+    def test_diff_compares_with_a_point_of_the_history_by_every_alignment(self):
+        project = self.recorded_project()
+        self.answer("demo", "edit", project, "1", "offset", "--by-mm", "0,0,4")
+        point = self.answer("history", project)["head"]
+        self.answer("demo", "edit", project, "1", "offset", "--by-mm", "0,0,3")
+        original = self.answer("demo", "diff", project, "1")
+        self.assertAlmostEqual(original["max_deviation_mm"], 7, delta=1e-3)
+        for alignment in ("time", "arc", "segment"):
+            answer = self.answer("demo", "diff", project, "1", "--against", f"history:{point}", "--align", alignment)
+            for key in ("max_deviation_mm", "mean_deviation_mm", "share_95_deviation_mm"):
+                self.assertAlmostEqual(answer[key], 3, delta=1e-3)
+        # Warping finds what is nearer.
+        warped = self.answer("demo", "diff", project, "1", "--against", f"history:{point}", "--align", "dtw")
+        self.assertLess(warped["mean_deviation_mm"], 3)
+        text = trocar("demo", "diff", project, "1", "--against", f"history:{point}", "--format", "md").stdout
+        self.assertTrue(text.startswith("### "), text)
+        self.assertIn("| both | 3.000 | 3.000 | 3.000 |", text)
+        self.refused("demo", "diff", project, "1", "--against", "history:0", code=USAGE)
+        self.refused("demo", "diff", project, "1", "--against", "history:999", code=USAGE)
+        self.refused("demo", "diff", project, "1", "--against", "history:x", code=USAGE)
+
+    def test_curves_are_written_as_numbers_and_as_figures(self):
+        project = self.recorded_project()
+        out = self.folder / "curves.csv"
+        answer = self.answer("demo", "plot", project, "1", "--curve", "z,speed", "--out", out)
+        rows = read_rows(out)
+        for told in answer["curves"]:
+            values = [float(row["value"]) for row in rows if row["curve"] == told["curve"] and row["line"] == told["arm"]]
+            self.assertEqual((min(values), max(values)), (told["low"], told["high"]))
+        self.assertEqual({row["unit"] for row in rows}, {"mm", "mm/s"})
+        shown = self.answer("demo", "show", project, "1")
+        self.assertEqual(sum(row["curve"] == "z" and row["line"] == "Left" for row in rows), shown["samples"])
+        for name in ("curves.svg", "curves.png"):
+            self.answer("demo", "plot", project, "1", "--curve", "speed,acceleration,jerk,jaw", "--out", self.folder / name)
+            self.assertGreater((self.folder / name).stat().st_size, 5000)
+        self.refused("demo", "plot", project, "1", "--curve", "sped", "--out", out, code=USAGE)
+        self.refused("demo", "plot", project, "1", "--from", "3", "--to", "2", "--out", out, code=USAGE)
+        self.refused("demo", "plot", project, "1", "--out", self.folder / "curves.doc", code=USAGE)
+
 
 class Learning(CommandLineTest):
     def test_exact_arrives_from_every_cell(self):

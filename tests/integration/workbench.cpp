@@ -242,3 +242,39 @@ TEST_CASE("undo and redo say in the log what they did") {
   bench.run(Redo{});
   CHECK(bench.state().log.back().text == "Did again: Add Expert 1");
 }
+
+TEST_CASE("curves and a comparison follow the demonstration, its preview and its past") {
+  Bench bench;
+  bench.record();
+  const DemonstrationId id = bench.state().demonstration;
+  const std::int64_t recorded_at = bench.state().head;
+  bench.run(ShowCurves{bit(CurveKind::kZ)});
+  REQUIRE(bench.state().curves != nullptr);
+  REQUIRE(bench.state().curves->curves.size() == 2);
+  CHECK(bench.state().curves->find(CurveKind::kZ, 0)->before == nullptr);
+  const double at_rest = bench.state().curves->find(CurveKind::kZ, 0)->now->y().front();
+
+  const demonstration::Edit raise = demonstration::Offset{demonstration::Arms::kLeft, {0.0, 0.0, 0.005}};
+  bench.run(PreviewEdit{raise, 0});
+  CHECK(bench.state().curves->find(CurveKind::kZ, 0)->now->y().front() == doctest::Approx(at_rest + 5.0));
+  CHECK(bench.state().curves->find(CurveKind::kZ, 0)->before->y().front() == at_rest);
+  bench.run(EndPreview{});
+  bench.run(CommitEdit{EditDemonstration{id, raise}});
+
+  ComparisonSettings settings;
+  settings.against = {Against::Kind::kHistory, {}, recorded_at};
+  bench.run(CompareWith{settings});
+  REQUIRE(bench.state().comparison != nullptr);
+  REQUIRE(bench.state().comparison->comparison.has_value());
+  CHECK(bench.state().comparison->comparison->deviation[0].mean_m == doctest::Approx(0.005).epsilon(1e-4));
+  CHECK(bench.state().comparison->comparison->deviation[1].max_m == 0.0);
+  bench.run(Undo{});
+  CHECK(bench.state().comparison->comparison->both.max_m == 0.0);
+
+  settings.against = {Against::Kind::kHistory, {}, 0};
+  bench.run(CompareWith{settings});
+  CHECK_FALSE(bench.state().comparison->comparison.has_value());
+  CHECK_FALSE(bench.state().comparison->error.empty());
+  bench.run(EndComparison{});
+  CHECK(bench.state().comparison == nullptr);
+}

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/demonstration/edits.h"
 #include "engine/learning/model.h"
 #include "engine/learning/rollout.h"
 #include "engine/workbench/workbench.h"
@@ -96,7 +97,23 @@ inline workbench::WorkbenchState made_state() {
   return state;
 }
 
-/// The same with the model 3 selected.
+/// Its curves of every kind, and the other demonstration, raised by 2 mm, beside it, as the workbench would have worked
+/// them out.
+inline void work_out(workbench::WorkbenchState& state) {
+  const auto shown = state.project->demonstrations.at({1});
+  const auto before = std::make_shared<const demonstration::Demonstration>(
+      demonstration::transformed(*state.project->demonstrations.at({2}),
+                                 demonstration::Offset{demonstration::Arms::kBoth, {0.0, 0.0, 0.002}})
+          .value());
+  workbench::CurvesRequest curves{shown, before, 0};
+  for (const auto kind : demonstration::kCurveKinds) curves.kinds |= workbench::bit(kind);
+  state.curves = workbench::CurveMaker().make(curves);
+  state.curve_kinds = curves.kinds;
+  state.comparing.emplace().against = {workbench::Against::Kind::kDemonstration, {2}, 0};
+  state.comparison = workbench::comparison_of({before, shown, *state.comparing, ""});
+}
+
+/// The same with the model 3 selected, curves and a comparison.
 inline workbench::WorkbenchState made_state_with_model() {
   workbench::WorkbenchState state = made_state();
   auto project = std::make_shared<workbench::Project>(*state.project);
@@ -107,6 +124,7 @@ inline workbench::WorkbenchState made_state_with_model() {
   state.insight = std::make_shared<workbench::ModelInsight>(made_insight(entry));
   state.history.push_back({3, 2, "add model", "Train exact A", "2026-03-01T12:05:00Z"});
   state.head = 3;
+  work_out(state);
   state.jobs = {{{2}, "Train eg-maxent on segment A", workbench::JobState::kRunning, 0.42, ""},
                 {{1}, "Verify Expert 1", workbench::JobState::kDone, 1.0, "Every state is the same"}};
   state.log = {{"12:03:41", workbench::Severity::kInfo, "Opened the project"},

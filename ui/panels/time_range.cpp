@@ -38,6 +38,19 @@ void TimeRange::keep_within(double length_s) {
   if (begin_s < -margin) begin_s = -margin;
 }
 
+void SharedTime::show(double begin_s, double end_s) {
+  range = {begin_s, end_s};
+  range.zoom(0.5 * (begin_s + end_s), 1.06);
+}
+
+void SharedTime::follow(std::int64_t shown, double shown_length_s) {
+  const bool saw_all = length_s != shown_length_s && range.span_s() >= length_s;
+  if (demonstration != shown || saw_all) show(0.0, shown_length_s);
+  demonstration = shown;
+  length_s = shown_length_s;
+  range.keep_within(length_s);
+}
+
 double ruler_step(const TimeRange& range, float width, float pixels) {
   const double least = range.span_s() * static_cast<double>(pixels / std::max(width, 1.0F));
   const double decade = std::pow(10.0, std::floor(std::log10(std::max(least, 1e-6))));

@@ -1,6 +1,8 @@
 /// What part of time a timeline shows, and where that is on the screen.
 #pragma once
 
+#include <cstdint>
+
 namespace trocar::ui {
 
 struct TimeRange {
@@ -16,6 +18,19 @@ struct TimeRange {
   void pan(double seconds);
   /// Keeps the range within [0, length] with a margin of 3 %, and not shorter than 50 ms.
   void keep_within(double length_s);
+};
+
+/// The range that all panels over time show together. Threads: that of the window.
+struct SharedTime {
+  TimeRange range;
+  std::int64_t demonstration = 0;  ///< Of which it is; 0: of none yet.
+  double length_s = 0.0;           ///< Of that, when it was last followed.
+
+  /// Shows the whole of another demonstration than before, and of one that has another length where all of it was
+  /// shown; keeps the range within its length.
+  void follow(std::int64_t shown, double shown_length_s);
+  /// Shows [begin, end] with a margin.
+  void show(double begin_s, double end_s);
 };
 
 /// A round distance between marks of a ruler that leaves at least `pixels` between them.

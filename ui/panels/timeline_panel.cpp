@@ -32,18 +32,9 @@ std::string trim_words(double in_s, double out_s) {
 void TimelinePanel::fit(const WorkbenchState& state, const demonstration::Demonstration& shown) {
   if (fitted_ != state.demonstration) {
     fitted_ = state.demonstration;
-    range_ = {0.0, length_of(shown)};
-    range_.zoom(0.5 * length_of(shown), 1.06);
-    length_s_ = length_of(shown);
     mouse_.reset();
   }
-  // Who sees all of it goes on seeing all.
-  if (length_s_ != length_of(shown) && range_.span_s() >= length_s_) {
-    range_ = {0.0, length_of(shown)};
-    range_.zoom(0.5 * length_of(shown), 1.06);
-  }
-  length_s_ = length_of(shown);
-  range_.keep_within(length_s_);
+  time_->follow(state.demonstration.value, length_of(shown));
 }
 
 void TimelinePanel::draw_transport(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
@@ -105,8 +96,7 @@ void TimelinePanel::draw_speed(Ui& ui, const WorkbenchState& state, const demons
   if (roomy) fit.width = ui.px(76);
   flow(roomy ? fit.width : ImGui::GetFrameHeight() + ui.px(4), ui.px(8));
   if (roomy ? button(ui, "Fit", fit) : icon_button(ui, "Fit", fit)) {
-    range_ = {shown.begin_s, shown.end_s};
-    range_.zoom(0.5 * (shown.begin_s + shown.end_s), 1.06);
+    time_->show(shown.begin_s, shown.end_s);
   }
 }
 

@@ -2,6 +2,9 @@
 /// dragging the gates.
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "ui/panel.h"
 #include "ui/panels/lane_data.h"
 #include "ui/panels/timeline_mouse.h"
@@ -11,6 +14,7 @@ namespace trocar::ui {
 
 class TimelinePanel final : public Panel {
  public:
+  explicit TimelinePanel(std::shared_ptr<SharedTime> time) : time_(std::move(time)) {}
   Requests draw(Ui& ui, const WorkbenchState& state) override;
 
  private:
@@ -23,13 +27,13 @@ class TimelinePanel final : public Panel {
                       Requests& requests);
   bool escapes(const Ui& ui) const;
 
-  TimeRange range_;
+  std::shared_ptr<SharedTime> time_;
+  TimeRange& range_ = time_->range;
   LaneData data_;
   LaneSet lanes_ = LaneSet().set();
   TimelineMouse mouse_;
   TimelineTools tools_;
   workbench::DemonstrationId fitted_;
-  double length_s_ = 0.0;  ///< Of what the range was last fitted to.
 };
 
 }  // namespace trocar::ui

@@ -24,7 +24,7 @@ struct Rect {
 
 struct Item {
   std::string path;  ///< "Library/Record…": the scopes and the label.
-  std::string role;  ///< button, toggle, checkbox, combo, slider, field, row, tab, menu, canvas, progress, text,
+  std::string role;  ///< button, toggle, checkbox, combo, slider, field, row, tab, menu, canvas, progress, text, plot,
                      ///< mark (a place on a canvas).
   std::string label;
   std::string value;  ///< As shown; "" if it has none.

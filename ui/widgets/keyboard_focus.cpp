@@ -9,8 +9,8 @@
 namespace trocar::ui {
 namespace {
 
-constexpr std::array<std::string_view, 11> kStops{"button", "toggle", "checkbox", "combo",  "slider",   "field",
-                                                  "row",    "tab",    "menu",     "option", "menu item"};
+constexpr std::array<std::string_view, 12> kStops{"button", "toggle", "checkbox", "combo",  "slider",    "field",
+                                                  "row",    "tab",    "menu",     "option", "menu item", "plot"};
 
 bool is_stop(const Item& item) {
   const bool role = std::find(kStops.begin(), kStops.end(), item.role) != kStops.end();
@@ -104,7 +104,8 @@ void KeyboardFocus::take_keys(const ItemLog& items, InputQueue& input, bool typi
   const Item* here = current(stops);
   if (tab) return move(stops, held.shift ? -1 : 1);
   if (here == nullptr) return;
-  if (push && here->reachable()) press(*here, input);
+  // A click on a plot is a click on a time; the keyboard has its own way there.
+  if (push && here->role != "plot" && here->reachable()) press(*here, input);
   if (arrow == 0 || !in_list(*here)) return;
   std::erase_if(stops, [here](const Item* item) { return item->role != here->role || item->region != here->region; });
   move(stops, arrow);
