@@ -355,7 +355,7 @@ Requests draw_status_line(Ui& ui, const WorkbenchState& state, const StatusLine&
   if (line.last_command.empty()) return requests;
   const float copy = ui.px(26);
   ImGui::SetCursorPos({right - copy, top + ui.px(1)});
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(4), ui.px(5)});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(4), 0.5F * (copy - ImGui::GetFontSize())});
   if (icon_button(ui, "Copy as command",
                   {.icon = icon::kCopy,
                    .help = "Copy the last act as a command line",
