@@ -45,7 +45,6 @@ std::string when(const Problem& problem) {
 }
 
 std::string summary(const std::vector<Problem>& problems) {
-  if (problems.empty()) return "0 problems";
   return fmt::format("{}, {}, {}", counted(review::count_of(problems, Severity::kError), "error"),
                      counted(review::count_of(problems, Severity::kWarning), "warning"),
                      counted(review::count_of(problems, Severity::kInfo), "note"));
@@ -211,9 +210,12 @@ Requests ProblemsPanel::draw(Ui& ui, const WorkbenchState& state) {
     return requests;
   }
   const std::vector<Problem>& problems = state.review->review.problems;
-  small_text(ui, state.review_pending ? "Checking again" : summary(problems), ui.theme().text_dim);
+  const bool nothing = problems.empty() && !state.review_pending;
+  if (!nothing) {
+    small_text(ui, state.review_pending ? "Checking again" : summary(problems), ui.theme().text_dim);
+  }
   if (!state.review->incomplete.empty()) wrapped_text(ui, state.review->incomplete, ui.theme().warning);
-  if (problems.empty()) {
+  if (nothing) {
     empty_state(ui, icon::kVerify, "0 problems", "Nothing was found that should not be learned from", {});
     return requests;
   }
