@@ -228,7 +228,7 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("DEMO_FILE", arguments.words, "Ids or names of demonstrations (several for HDF5), then what to write")
       ->required()
-      ->expected(2, 100'000);
+      ->expected(-2);
   verb.add_option("--format", arguments.format, "csv, npy or hdf5, robomimic's layout (else guessed from the name)");
   verb.add_option("--mask", arguments.masks, "KEY=DEMO: of HDF5, put DEMO under the filter key KEY; may be repeated")
       ->allow_extra_args(false);

@@ -57,6 +57,27 @@ int sign_changes(const std::vector<Sample>& samples, std::size_t arm) {
   return count;
 }
 
+/// "the left tool jumps 2 times, by 31 mm at 0.40 s at the farthest"; empty if it does not. A jump is farther and
+/// faster than a hand with a tool goes from one sample to the next.
+std::string jumps(const std::vector<Sample>& samples, std::size_t arm) {
+  constexpr double kJump_m = 0.005;
+  constexpr double kJumpSpeed_m_s = 1.0;
+  int count = 0;
+  double farthest_m = 0.0;
+  double at_s = 0.0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double way_m = (samples[i].arms[arm].setpoint().p - samples[i - 1].arms[arm].setpoint().p).norm();
+    if (way_m < kJump_m || way_m < kJumpSpeed_m_s * (samples[i].t_s() - samples[i - 1].t_s())) continue;
+    ++count;
+    if (way_m <= farthest_m) continue;
+    farthest_m = way_m;
+    at_s = samples[i - 1].t_s() - samples.front().t_s();
+  }
+  if (count == 0) return "";
+  return fmt::format("the {} tool jumps {} {}, by {:.0f} mm at {:.2f} s at the farthest", kArms[arm], count,
+                     count == 1 ? "time" : "times", 1e3 * farthest_m, at_s);
+}
+
 /// Where a tool goes, when much of it is not over the lattice.
 std::string outside(const std::vector<Sample>& samples, std::size_t arm, const spatial::Grid& grid) {
   std::size_t count = 0;
@@ -102,6 +123,7 @@ std::vector<std::string> findings(const demonstration::Demonstration& document, 
     if (const int count = sign_changes(samples, arm); count > 0) {
       add(fmt::format("the {} tool's quaternion changes sign {} {}", kArms[arm], count, count == 1 ? "time" : "times"));
     }
+    add(jumps(samples, arm));
     add(outside(samples, arm, grid));
   }
   return found;

@@ -10,7 +10,7 @@
 namespace trocar::exchange {
 
 /// One sentence each, the sample rate first: gaps, stretches in which nothing moves, quaternions that change sign
-/// from one sample to the next, motion outside of the learning lattice.
+/// from one sample to the next, jumps, motion outside of the learning lattice.
 std::vector<std::string> findings(const demonstration::Demonstration& document, const spatial::Grid& grid);
 
 }  // namespace trocar::exchange

@@ -17,6 +17,18 @@ namespace {
 using demonstration::ArmSample;
 using demonstration::Sample;
 using Nodes = std::map<std::string, TreeNode>;
+using Names = std::vector<const char*>;
+
+/// Of one arm, as different programs name it; the first that is there counts.
+struct ArmNames {
+  Names position;
+  Names rotation;
+  Names gripper;
+};
+const std::array<ArmNames, 2> kNames{ArmNames{{"robot0_eef_pos", "eef_pos", "ee_pos"},
+                                              {"robot0_eef_quat", "eef_quat", "ee_ori"},
+                                              {"robot0_gripper_qpos", "gripper_qpos", "gripper_states"}},
+                                     ArmNames{{"robot1_eef_pos"}, {"robot1_eef_quat"}, {"robot1_gripper_qpos"}}};
 
 /// A quaternion's length may be off by this much; it is scaled, and said.
 constexpr double kNoRotation = 0.1;
@@ -43,9 +55,7 @@ class ForeignReader {
   ForeignReader(const Nodes& nodes, const std::string& group) : nodes_(nodes), group_(group) {}
 
   Result<Imported> read(double rate_hz) {
-    arms_[0] = arrays_of({"robot0_eef_pos", "eef_pos", "ee_pos"}, {"robot0_eef_quat", "eef_quat", "ee_ori"},
-                         {"robot0_gripper_qpos", "gripper_qpos", "gripper_states"});
-    arms_[1] = arrays_of({"robot1_eef_pos"}, {"robot1_eef_quat"}, {"robot1_gripper_qpos"});
+    for (std::size_t arm = 0; arm < 2; ++arm) arms_[arm] = arrays_of(kNames[arm]);
     if (arms_[0].position == nullptr && arms_[1].position == nullptr) {
       return fail(ErrorCode::kUnsupported, "it has no tool position that is known here, such as obs/robot0_eef_pos");
     }
@@ -62,7 +72,7 @@ class ForeignReader {
   }
 
  private:
-  const TreeNode* first_of(const std::vector<const char*>& names) {
+  const TreeNode* first_of(const Names& names) {
     for (const char* name : names) {
       const auto found = nodes_.find(fmt::format("{}/obs/{}", group_, name));
       if (found == nodes_.end() || !found->second.holds_numbers()) continue;
@@ -72,13 +82,12 @@ class ForeignReader {
     return nullptr;
   }
 
-  ArmArrays arrays_of(const std::vector<const char*>& position, const std::vector<const char*>& rotation,
-                      const std::vector<const char*>& gripper) {
+  ArmArrays arrays_of(const ArmNames& names) {
     ArmArrays arrays;
-    arrays.position = first_of(position);
+    arrays.position = first_of(names.position);
     if (arrays.position == nullptr) return arrays;
-    arrays.rotation = first_of(rotation);
-    arrays.gripper = first_of(gripper);
+    arrays.rotation = first_of(names.rotation);
+    arrays.gripper = first_of(names.gripper);
     return arrays;
   }
 
@@ -254,6 +263,13 @@ class ForeignReader {
 };
 
 }  // namespace
+
+bool is_known_observation(std::string_view name) {
+  const auto holds = [name](const Names& names) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  return std::any_of(kNames.begin(), kNames.end(), [&](const ArmNames& arm) {
+    return holds(arm.position) || holds(arm.rotation) || holds(arm.gripper);
+  });
+}
 
 Result<Imported> read_foreign(const Nodes& nodes, const std::string& group, double rate_hz) {
   return ForeignReader(nodes, group).read(rate_hz);

@@ -4,11 +4,15 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "engine/exchange/imported.h"
 #include "engine/exchange/tree_node.h"
 
 namespace trocar::exchange {
+
+/// False for an observation that `read_foreign` would make nothing of.
+bool is_known_observation(std::string_view name);
 
 /// Of `group` ("data/demo_3"). robot0 becomes the left arm, robot1 the right one; an arm that is not there stands at
 /// its ready pose. Measured poses stand in for setpoints. Says in `found` and `lossy` what was taken how, and what was

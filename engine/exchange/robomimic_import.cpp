@@ -105,9 +105,10 @@ Status RobomimicReader::take(TreeNode&& node) {
   if (parts[0] != "data" && parts[0] != "mask") return {};
   const bool used = parts.size() < 4 || (parts.size() == 4 && (parts[2] == "obs" || parts[2] == "trocar"));
   if (!used) return {};
-  // Steps, which the samples tell as well, and whole pictures are only to be named.
-  const bool bulky = parts.size() == 3 && parts[2] != "states";
-  if (bulky) node.data.clear();
+  // Of all else it is enough to know that it is there.
+  const bool own = parts.size() == 3 && parts[2] == "states" && node.attributes.contains("columns");
+  const bool known = parts.size() == 4 && (parts[2] == "trocar" || is_known_observation(parts[3]));
+  if (!own && !known) node.data.clear();
   nodes_[node.path] = std::move(node);
   return {};
 }

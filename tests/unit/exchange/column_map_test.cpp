@@ -300,7 +300,8 @@ TEST_CASE("joints go through the arm's forward kinematics, and limits that are p
   const ColumnMap map = map_of(
       R"({"time": {"rate_hz": 50}, "left": {"joints": {"columns": [1, 2, 3, 4, 5, 6], "insertion_unit": "mm"}}})");
   const Imported read = from_table(NumberTable::of_npy(npy(far, 6, "<f8")).value(), map).value();
-  CHECK(mentions(read.found, "the left arm's joints are beyond their limits in 1 row, first in row 2: the yaw joint would be"));
+  CHECK(mentions(read.found,
+                 "the left arm's joints are beyond their limits in 1 row, first in row 2: the yaw joint would be"));
 }
 
 TEST_CASE("arrays of other kinds of numbers and orders are read, and cut ones are not") {

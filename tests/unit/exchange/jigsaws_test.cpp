@@ -121,6 +121,7 @@ TEST_CASE("findings tell the rate, gaps, sign changes, idleness and what is off 
   for (std::size_t i = 100; i < 400; ++i) {
     for (double& part : recording.samples[i].arms[1].setpoint_q_wxyz) part = -part;
   }
+  for (std::size_t i = 300; i < 400; ++i) recording.samples[i].arms[1].setpoint_p[2] += 0.04;
   for (demonstration::Sample& sample : recording.samples) sample.arms[0].measured.p[0] += 5.0F;
   const auto document =
       demonstration::make_demonstration({1}, "odd", std::make_shared<const demonstration::Recording>(recording))
@@ -131,4 +132,6 @@ TEST_CASE("findings tell the rate, gaps, sign changes, idleness and what is off 
   CHECK(mentions(found, "the right tool's quaternion changes sign 1 time"));
   CHECK(mentions(found, "100 % of the left tool's samples are outside of the learning lattice"));
   CHECK_FALSE(mentions(found, "the left tool's quaternion"));
+  CHECK(mentions(found, "the right tool jumps 1 time, by 40 mm at 2.09 s at the farthest"));
+  CHECK_FALSE(mentions(found, "the left tool jumps"));
 }
