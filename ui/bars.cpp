@@ -53,7 +53,7 @@ void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settin
   if (menu == "File") draw_recent(ui, settings, requests);
 }
 
-constexpr std::array<const char*, 6> kMenus{"File", "Edit", "Select", "View", "Transport", "Help"};
+constexpr std::array<const char*, 7> kMenus{"File", "Edit", "Select", "Tool", "View", "Transport", "Help"};
 
 // How much of the menu bar is spelled out; the first for which there is room is taken.
 enum class BarWords : std::uint8_t { kAll, kIcons, kOneMenu };
@@ -166,7 +166,7 @@ void draw_menus(Ui& ui, const WorkbenchState& state, const Settings& settings, B
     for (const char* menu : kMenus) draw_menu(ui, state, settings, menu, requests);
   } else {
     note_rect(ui, "menu", "All menus", "", menu_rect(ui, icon::kBars),
-              {.help = "File, Edit, Select, View, Transport, Help"});
+              {.help = "File, Edit, Select, Tool, View, Transport, Help"});
     const bool open = ImGui::BeginMenu(icon::kBars);
     if (open) ui.items().set_last_value("open");
     if (open) {

@@ -22,6 +22,7 @@ struct RowData {
   bool separator = false;
   std::string (*reason)(const WorkbenchState&) = nullptr;
   Requests (*run)(const WorkbenchState&) = nullptr;
+  std::string_view context = "";
 };
 
 std::span<const RowData> file_rows();
@@ -30,6 +31,7 @@ std::span<const RowData> clipboard_rows();
 std::span<const RowData> edit_rows();
 std::span<const RowData> selection_rows();
 std::span<const RowData> review_rows();
+std::span<const RowData> tool_rows();
 std::span<const RowData> view_rows();
 std::span<const RowData> transport_rows();
 std::span<const RowData> help_rows();

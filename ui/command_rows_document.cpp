@@ -311,7 +311,7 @@ constexpr std::array<RowData, 13> kEditRows{{
      "Train…",
      "Learn from demonstrations",
      icon::kTrain,
-     {"T"},
+     {"Shift+T"},
      false,
      cannot_train,
      show<PanelId::kTrain>},

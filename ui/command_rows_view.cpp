@@ -133,7 +133,7 @@ constexpr std::array<RowData, 19> kViewRows{{
      "Ghosts in the view",
      "Show or hide the agent's paths in the 3-D view",
      icon::kRoad,
-     {"G"},
+     {"Alt+G"},
      false,
      no_model,
      ghosts},

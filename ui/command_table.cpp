@@ -15,9 +15,10 @@ using State = WorkbenchState;
 std::vector<CommandRow> make_table() {
   std::vector<CommandRow> table;
   for (const auto rows : {file_rows(), undo_rows(), clipboard_rows(), edit_rows(), review_rows(), selection_rows(),
-                          view_rows(), transport_rows(), help_rows()}) {
+                          tool_rows(), view_rows(), transport_rows(), help_rows()}) {
     for (const RowData& row : rows) {
-      table.push_back({row.id, row.menu, row.title, row.help, row.icon, {}, row.separator, row.reason, row.run});
+      table.push_back(
+          {row.id, row.menu, row.title, row.help, row.icon, {}, row.separator, row.context, row.reason, row.run});
       for (const std::string_view keys : row.keys) {
         if (!keys.empty()) table.back().keys.push_back(keys);
       }

@@ -15,12 +15,13 @@ using workbench::WorkbenchState;
 
 struct CommandRow {
   std::string_view id;     ///< "edit.undo": for settings and documents; never changes.
-  std::string_view menu;   ///< File, Edit, View, Transport, Help; "" for none.
+  std::string_view menu;   ///< File, Edit, Tool, View, Transport, Help; "" for none.
   std::string_view title;  ///< "Undo"
   std::string_view help;
   const char* icon = nullptr;
   std::vector<std::string_view> keys;  ///< The first is shown.
   bool separator = false;              ///< A line above it in the menu.
+  std::string_view context;            ///< "": its keys always mean it; else only in that context, and first.
   /// Why it cannot be done now; "" if it can. Null: it always can.
   std::string (*reason)(const WorkbenchState&) = nullptr;
   Requests (*run)(const WorkbenchState&) = nullptr;

@@ -237,16 +237,25 @@ bool Shell::form_open() const {
 Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
   Requests requests;
   const bool typing = ImGui::GetIO().WantTextInput;
-  for (const CommandRow& row : command_table()) {
-    for (const std::string_view keys : row.keys) {
-      const Result<Chord> chord = chord_from(keys);
-      if (!chord || !pressed(ui.input(), *chord)) continue;
-      // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.
-      const bool plain = !chord->modifiers.control && !chord->modifiers.alt;
-      if ((typing || form_open()) && (plain || typing)) continue;
-      const bool presses = chord->key == Key::kSpace || chord->key == Key::kEnter;
-      if (presses && plain && ui.focus().shown()) continue;
-      if (row.reason_now(state).empty()) append(requests, row.run(state));
+  const auto means = [&](const Chord& chord) {
+    if (!pressed(ui.input(), chord)) return false;
+    // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.
+    const bool plain = !chord.modifiers.control && !chord.modifiers.alt;
+    if ((typing || form_open()) && (plain || typing)) return false;
+    const bool presses = chord.key == Key::kSpace || chord.key == Key::kEnter;
+    return !(presses && plain && ui.focus().shown());
+  };
+  std::vector<Chord> taken;
+  for (const bool in_context : {true, false}) {
+    for (const CommandRow& row : command_table()) {
+      if (row.context.empty() == in_context) continue;
+      for (const std::string_view keys : row.keys) {
+        const Result<Chord> chord = chord_from(keys);
+        if (!chord || !means(*chord) || std::find(taken.begin(), taken.end(), *chord) != taken.end()) continue;
+        if (!row.reason_now(state).empty()) continue;
+        taken.push_back(*chord);
+        append(requests, row.run(state));
+      }
     }
   }
   return requests;

@@ -43,6 +43,21 @@ struct PreviewEdit {
 };
 struct EndPreview {};
 
+/// What the handles in the 3-D view do to a surgical tool at the playhead, and how far in time it reaches.
+enum class GizmoKind : std::uint8_t { kNone, kMove, kTurn };
+struct GizmoSettings {
+  GizmoKind kind = GizmoKind::kNone;
+  demonstration::Arms arms = demonstration::Arms::kLeft;
+  int axis = -1;          ///< Only along or about x, y or z (0, 1, 2); −1: any.
+  double radius_s = 0.5;  ///< For a new waypoint; one that exists keeps its own.
+  demonstration::Falloff falloff = demonstration::Falloff::kSmooth;
+  demonstration::TurnFrame frame = demonstration::TurnFrame::kTool;
+  bool operator==(const GizmoSettings&) const = default;
+};
+struct SetGizmo {
+  GizmoSettings settings;
+};
+
 struct SelectDemonstration {
   DemonstrationId id;
 };
@@ -170,7 +185,7 @@ struct CancelJob {
   JobId id;
 };
 
-using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview,
+using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
                              SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, SetPlayhead,
                              Play, SetSelection, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize,
                              SetField, SetRollouts, RecordScripted, StopRecording, TrainModel, VerifyReplay,

@@ -93,6 +93,11 @@ void Workbench::Impl::on(const EndPreview&) {
   dirty = true;
 }
 
+void Workbench::Impl::on(const SetGizmo& command) {
+  state.gizmo = command.settings;
+  dirty = true;
+}
+
 void Workbench::Impl::on(const SelectDemonstration& command) {
   const auto shown = demonstration(command.id);
   if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", command.id.value));

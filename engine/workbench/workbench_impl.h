@@ -25,6 +25,7 @@ struct Workbench::Impl {
   void on(const GoToHistory& command);
   void on(const PreviewEdit& command);
   void on(const EndPreview& command);
+  void on(const SetGizmo& command);
   void on(const SelectDemonstration& command);
   void on(const SelectModel& command);
   void on(const ShowCurves& command);

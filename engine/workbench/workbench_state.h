@@ -57,6 +57,7 @@ struct WorkbenchState {
   std::optional<ComparisonSettings> comparing;
   std::shared_ptr<const ComparisonView> comparison;
   bool comparison_pending = false;
+  GizmoSettings gizmo;
   double playhead_s = 0.0;
   double play_speed = 0.0;             ///< 0: paused.
   std::optional<TimeSpan> selection;   ///< In time, of the selected demonstration.

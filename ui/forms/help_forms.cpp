@@ -49,6 +49,7 @@ void mouse_keys(Ui& ui) {
   key_row(ui, "Shift the view", "Right or middle drag");
   key_row(ui, "Zoom", "Wheel, at the pointer");
   key_row(ui, "Trim", "Drag a gate; Esc cancels");
+  key_row(ui, "Move or turn a tool", "Drag a handle in the view; Ctrl: whole steps, wheel: reach, Esc cancels");
   key_row(ui, "Select time", "Drag over the lanes");
   key_row(ui, "Zoom to a span", "Middle drag");
   key_row(ui, "Step a slice", "Wheel over it");
@@ -69,7 +70,7 @@ Requests ShortcutForm::draw_content(Ui& ui, const WorkbenchState&) {
     for (const std::string_view menu : {"File", "Edit", "Help"}) menu_keys(ui, menu);
     mouse_keys(ui);
     if (two) ImGui::TableNextColumn();
-    for (const std::string_view menu : {"View", "Transport", "Select"}) menu_keys(ui, menu);
+    for (const std::string_view menu : {"View", "Transport", "Select", "Tool"}) menu_keys(ui, menu);
     ImGui::EndTable();
   }
   ImGui::EndChild();

@@ -237,10 +237,13 @@ void draw_model_card(Ui& ui, const ModelEntry& entry, bool stale, const std::str
     badge(ui, icon::kWarning, "stale", ui.theme().warning, "A demonstration was edited since training");
     ImGui::SameLine(0.0F, ui.px(8));
   }
-  small_text(ui,
-             std::string(learning::to_string(entry.model->options.method)) + "  " + elapsed(entry.model->seconds) +
-                 " to train",
-             ui.theme().text_dim);
+  std::string words(learning::to_string(entry.model->options.method));
+  const std::string trained = words + "  " + elapsed(entry.model->seconds) + " to train";
+  {
+    const FontScope font(ui.fonts().small);
+    if (ImGui::CalcTextSize(trained.c_str()).x <= ImGui::GetContentRegionAvail().x) words = trained;
+  }
+  small_text(ui, words, ui.theme().text_dim);
 }
 
 void draw_model_cells(Ui& ui, const ModelEntry& entry, bool stale, const std::string& arrival) {

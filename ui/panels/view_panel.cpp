@@ -113,6 +113,8 @@ void draw_layer_buttons(Ui& ui, const WorkbenchState& state, const Rect& rect, R
   const float width = ImGui::CalcTextSize("Field").x + ImGui::CalcTextSize("Ghosts").x + 2 * ui.px(18) + ui.px(8);
   ImVec2 at{rect.x1 - ui.px(10) - width, rect.y0 + ui.px(10)};
   if (at.x < cameras + ui.px(8)) at.y = rect.y1 - ImGui::GetFrameHeight() - ui.px(16);
+  // Without room for either, the menu has them still.
+  if (at.x < cameras + ui.px(8) && at.y < item_rect().y1 + ui.px(8)) return;
   ground(ui, at, {at.x + width, at.y + ImGui::GetFrameHeight() + ui.px(6)});
   ImGui::SetCursorScreenPos({at.x + ui.px(3), at.y + ui.px(3)});
   const CommandRow& field = command("view.field");
@@ -226,6 +228,7 @@ void ViewPanel::draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& r
 Requests ViewPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_welcome(ui, state, requests)) return requests;
+  gizmo_bar_.draw(ui, state, requests);
   const ImVec2 size = ImGui::GetContentRegionAvail();
   follow_size(size, requests);
   const std::string value = state.picture == nullptr
@@ -235,9 +238,11 @@ Requests ViewPanel::draw(Ui& ui, const WorkbenchState& state) {
                               {.help = "Drag to turn, right or middle drag (or Shift) to shift, wheel to zoom"});
   ImGui::SetItemAllowOverlap();
   const Rect rect = item_rect();
-  take_mouse(ui, state, hovered, requests);
+  const ViewPort port{shown_camera(state), rect};
+  if (!gizmo_.take_mouse(ui, state, port, hovered, requests)) take_mouse(ui, state, hovered, requests);
   draw_picture(ui, state, rect);
   const ImVec2 after = ImGui::GetCursorPos();
+  gizmo_.draw(ui, state, port);
   draw_overlays(ui, state, rect, requests);
   ImGui::SetCursorPos(after);
   return requests;

@@ -1,9 +1,12 @@
-/// The 3-D picture: turn, shift and zoom with the mouse, choose a camera; a banner while a transfer is recorded.
+/// The 3-D picture: turn, shift and zoom with the mouse, choose a camera, move and turn the tools; a banner while a
+/// transfer is recorded.
 #pragma once
 
 #include <optional>
 
 #include "ui/panel.h"
+#include "ui/panels/gizmo_bar.h"
+#include "ui/panels/gizmo_overlay.h"
 
 namespace trocar::ui {
 
@@ -17,6 +20,8 @@ class ViewPanel final : public Panel {
   void draw_picture(Ui& ui, const WorkbenchState& state, const Rect& rect) const;
   void draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests);
 
+  GizmoBar gizmo_bar_;
+  GizmoOverlay gizmo_;
   int asked_width_ = 0;
   int asked_height_ = 0;
   int wanted_width_ = 0;

@@ -127,6 +127,18 @@ TEST_CASE("so is every panel without a model, while recording, without a project
   }
 }
 
+TEST_CASE("so is every panel with a tool in hand, in every theme") {
+  for (const float scale : kScales) {
+    for (const auto kind : {workbench::GizmoKind::kMove, workbench::GizmoKind::kTurn}) {
+      CAPTURE(scale);
+      workbench::WorkbenchState state = testing::made_state_with_model();
+      state.gizmo.kind = kind;
+      Desk desk(state, scale, kThemeKinds[static_cast<std::size_t>(scale) % kThemeKinds.size()]);
+      lint_every_panel(desk, scale);
+    }
+  }
+}
+
 TEST_CASE("so is every form and every menu") {
   for (const float scale : kScales) {
     CAPTURE(scale);
