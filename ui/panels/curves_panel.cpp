@@ -6,6 +6,7 @@
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/common.h"
+#include "ui/panels/timed_plot.h"
 
 namespace trocar::ui {
 namespace {
@@ -100,13 +101,6 @@ bool is_of(const CurveSet* set, const Demonstration& shown) {
 
 }  // namespace
 
-void follow_plot(const PlotActs& acts, double length_s, SharedTime& time, Requests& requests) {
-  if (acts.zoom != 1.0) time.range.zoom(acts.zoom_at_s, acts.zoom);
-  if (acts.pan_s != 0.0) time.range.pan(acts.pan_s);
-  time.range.keep_within(length_s);
-  if (acts.seek_s) requests.emplace_back(workbench::Command{workbench::SetPlayhead{*acts.seek_s}});
-}
-
 void CurvesPanel::draw_choice(Ui& ui, const WorkbenchState& state, const Demonstration& shown) {
   const Scope scope(ui, "Show");
   const float gap = ui.px(4);
@@ -144,19 +138,13 @@ void CurvesPanel::draw_plot(Ui& ui, const WorkbenchState& state, const Demonstra
   const std::vector<PlotLine> lines = lines_of(ui.theme(), *state.curves, kind, before_);
   const std::vector<PlotSpan> spans = spans_of(ui.theme(), *state.curves, kind);
   const std::vector<plot::Band> limits = workbench::limits_of(kind);
-  PlotSpec spec;
+  PlotSpec spec = timed_plot(*time_, shown, state.playhead_s, cursor_s_);
   spec.label = look.title;
   spec.unit = look.unit;
   spec.lines = lines;
   spec.limits = limits;
   spec.spans = spans;
   spec.values = plot::value_range(extent_of(lines, time_->range, shown), look.from_zero, limits);
-  spec.begin_s = time_->range.begin_s;
-  spec.end_s = time_->range.end_s;
-  spec.gate_in_s = shown.begin_s;
-  spec.gate_out_s = shown.end_s;
-  spec.playhead_s = state.playhead_s;
-  spec.cursor_s = cursor_s_;
   spec.time_axis = time_axis;
   spec.height = height;
   const PlotActs acts = plot(ui, spec);

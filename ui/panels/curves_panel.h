@@ -12,9 +12,6 @@
 
 namespace trocar::ui {
 
-/// Does what was done on a plot to the time that all panels show, and asks for the playhead to move.
-void follow_plot(const PlotActs& acts, double length_s, SharedTime& time, Requests& requests);
-
 class CurvesPanel final : public Panel {
  public:
   explicit CurvesPanel(std::shared_ptr<SharedTime> time) : time_(std::move(time)) {}

@@ -13,7 +13,7 @@
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/common.h"
-#include "ui/panels/curves_panel.h"
+#include "ui/panels/timed_plot.h"
 
 namespace trocar::ui {
 namespace {
@@ -177,17 +177,11 @@ void DiffPanel::draw_deviation(Ui& ui, const WorkbenchState& state, const Compar
     const std::optional<plot::Extent> one = curve->extent(time_->range.begin_s, time_->range.end_s);
     if (one) all.high = std::max(all.high, one->high);
   }
-  PlotSpec spec;
+  PlotSpec spec = timed_plot(*time_, after, state.playhead_s, cursor_s_);
   spec.label = "Deviation";
   spec.unit = "mm";
   spec.lines = lines;
   spec.values = plot::value_range(all, true, {});
-  spec.begin_s = time_->range.begin_s;
-  spec.end_s = time_->range.end_s;
-  spec.gate_in_s = after.begin_s;
-  spec.gate_out_s = after.end_s;
-  spec.playhead_s = state.playhead_s;
-  spec.cursor_s = cursor_s_;
   spec.height = std::max(ui.px(120), std::min(ImGui::GetContentRegionAvail().y, ui.px(260)));
   const PlotActs acts = plot(ui, spec);
   cursor_s_ = acts.cursor_s;
