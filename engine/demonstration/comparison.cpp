@@ -12,9 +12,6 @@
 namespace trocar::demonstration {
 namespace {
 
-/// As in `difference`.
-constexpr double kUnmoved_m = 1e-7;
-
 Deviation deviation_of(std::vector<double> metres) {
   Deviation deviation;
   if (metres.empty()) return deviation;

@@ -10,9 +10,6 @@
 namespace trocar::demonstration {
 namespace {
 
-/// Times are whole ticks divided by 1000; a gate typed as a decimal may differ from them in the last bit.
-constexpr double kTimeTolerance_s = 1e-9;
-
 /// In ticks, kept where a whole number can hold it.
 double ticks(double t_s) {
   return std::clamp(t_s, -1e9, 1e9) * static_cast<double>(Tick::kPerSecond);

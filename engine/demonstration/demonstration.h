@@ -15,6 +15,9 @@
 
 namespace trocar::demonstration {
 
+/// Times are whole ticks divided by 1000; one typed as a decimal may differ from them in the last bit.
+constexpr double kTimeTolerance_s = 1e-9;
+
 using DemonstrationId = Id<struct DemonstrationTag>;
 
 /// A labelled span; times are of the demonstration (0 = its first recorded sample), end exclusive.

@@ -10,10 +10,6 @@
 namespace trocar::demonstration {
 namespace {
 
-/// Below the rounding of single precision at arm's length, nothing has moved.
-constexpr double kUnmoved_m = 1e-7;
-constexpr double kTimeTolerance_s = 1e-9;
-
 class Deviation {
  public:
   void add(double left_m, double right_m) {

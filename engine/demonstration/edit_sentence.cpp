@@ -5,11 +5,10 @@
 #include <numbers>
 
 #include "engine/demonstration/edit_fields.h"
+#include "engine/spatial/units.h"
 
 namespace trocar::demonstration {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string span(double from_s, double to_s) {
   return fmt::format("{:.2f}–{:.2f} s", from_s, to_s);
@@ -49,7 +48,8 @@ struct Teller {
                        1e3 * e.by_m.y(), 1e3 * e.by_m.z(), e.at_s);
   }
   std::string operator()(const RotateTool& e) const {
-    return fmt::format("Turn {} by {:.1f}° at {:.2f} s", tools(e.arms, name), kDegrees * e.by_rad.norm(), e.at_s);
+    return fmt::format("Turn {} by {:.1f}° at {:.2f} s", tools(e.arms, name), spatial::to_degrees(e.by_rad.norm()),
+                       e.at_s);
   }
   std::string operator()(const Offset& e) const {
     return fmt::format("Offset {} by {:.2f}, {:.2f}, {:.2f} mm", tools(e.arms, name), 1e3 * e.by_m.x(),
@@ -81,7 +81,8 @@ struct Teller {
     return fmt::format("Snap {} of {} to the grid", span(e.from_s, e.to_s), tools(e.arms, name));
   }
   std::string operator()(const SetJaw& e) const {
-    return fmt::format("Jaw of {} to {:.0f}° in {}", tools(e.arms, name), kDegrees * e.jaw_rad, span(e.from_s, e.to_s));
+    return fmt::format("Jaw of {} to {:.0f}° in {}", tools(e.arms, name), spatial::to_degrees(e.jaw_rad),
+                       span(e.from_s, e.to_s));
   }
   std::string operator()(const Mirror&) const { return fmt::format("Mirror {}", name); }
   std::string operator()(const Retarget& e) const {

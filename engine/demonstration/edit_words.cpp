@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "engine/demonstration/edit_fields.h"
+#include "engine/spatial/units.h"
 
 namespace trocar::demonstration {
 namespace {
@@ -29,13 +30,12 @@ struct Unit {
   double factor;
   std::string_view shown;
 };
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 // Longer endings first.
 constexpr std::array<Unit, 8> kUnits{{{"_m_s3", "-mm-s3", 1e3, "mm/s³"},
                                       {"_m_s2", "-mm-s2", 1e3, "mm/s²"},
                                       {"_m_s", "-mm-s", 1e3, "mm/s"},
-                                      {"_rad_s", "-deg-s", kDegrees, "°/s"},
-                                      {"_rad", "-deg", kDegrees, "°"},
+                                      {"_rad_s", "-deg-s", spatial::to_degrees(1.0), "°/s"},
+                                      {"_rad", "-deg", spatial::to_degrees(1.0), "°"},
                                       {"_hz", "-hz", 1.0, "Hz"},
                                       {"_m", "-mm", 1e3, "mm"},
                                       {"_s", "", 1.0, "s"}}};

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "engine/demonstration/jaw_limits.h"
+
 namespace trocar::demonstration {
 namespace {
 
-constexpr double kOpen_rad = 0.3;
-constexpr double kClosed_rad = 0.1;
 constexpr double kHalfSample_s = 0.5 / kSampleRate_hz;
 constexpr std::array<std::uint32_t, 2> kHolds{kLeftHolds, kRightHolds};
 
@@ -16,7 +16,7 @@ enum class Jaw : std::uint8_t { kUnknown, kOpen, kClosed };
 
 Jaw jaw_of(const Sample& sample, std::size_t arm) {
   const double jaw_rad = sample.arms[arm].setpoint_jaw_rad;
-  return jaw_rad >= kOpen_rad ? Jaw::kOpen : jaw_rad <= kClosed_rad ? Jaw::kClosed : Jaw::kUnknown;
+  return jaw_rad >= kJawOpen_rad ? Jaw::kOpen : jaw_rad <= kJawClosed_rad ? Jaw::kClosed : Jaw::kUnknown;
 }
 
 /// The newest jaw that was open or closed at or before the sample `index`.

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/demonstration/jaw_limits.h"
 #include "engine/demonstration/motion.h"
 
 namespace trocar::demonstration {
 namespace {
 
-constexpr double kOpen_rad = 0.3;
-constexpr double kClosed_rad = 0.1;
 /// "Closing with no block in 3 mm" (workbench, Validity), from the block's circumscribed sphere about its centre.
 constexpr double kReach_m = 0.003 + peg_board::kBlockCircumradius_m;
 
@@ -26,8 +25,8 @@ void check_closing(const Demonstration& document, std::size_t arm, std::vector<P
   bool open = false;
   for (const Sample& sample : document.gated()) {
     const double jaw_rad = sample.arms[arm].setpoint_jaw_rad;
-    if (jaw_rad >= kOpen_rad) open = true;
-    if (!open || jaw_rad > kClosed_rad) continue;
+    if (jaw_rad >= kJawOpen_rad) open = true;
+    if (!open || jaw_rad > kJawClosed_rad) continue;
     open = false;
     const double distance_m = nearest_block_m(sample, arm);
     if (distance_m <= kReach_m) continue;

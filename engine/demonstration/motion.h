@@ -22,6 +22,9 @@ struct MotionPoint {
   double jerk_m_s3 = 0.0;
 };
 
+/// Below the rounding of single precision at arm's length, nothing has moved.
+constexpr double kUnmoved_m = 1e-7;
+
 /// p_WT as measured.
 Eigen::Vector3d measured_tip(const Sample& sample, std::size_t arm);
 

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace trocar::demonstration {
+
+/// As sentences name the tools.
+constexpr std::array<const char*, 2> kTools{"left", "right"};
 
 struct ProblemSpan {
   double begin_s = 0.0;

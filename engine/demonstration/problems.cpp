@@ -22,7 +22,6 @@ using Problems = std::vector<Problem>;
 constexpr double kLongGap_s = 0.25;
 constexpr double kUnitTolerance = 1e-3;
 constexpr double kUnlabelled_s = 0.02;
-constexpr std::array<const char*, 2> kTools{"left", "right"};
 
 template <std::size_t N, typename Number>
 double distance_from_unit(const std::array<Number, N>& q) {

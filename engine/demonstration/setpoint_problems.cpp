@@ -25,8 +25,6 @@ constexpr double kLeap_m = 0.005;
 /// What the limiter lets through at its limit differs from it by rounding only.
 constexpr double kAtLimit = 1.01;
 
-constexpr std::array<const char*, 2> kTools{"left", "right"};
-
 /// Both arms' workspaces together, as the tools pass the block from one to the other.
 double distance_outside_m(const Eigen::Vector3d& p_WT) {
   const spatial::Box left = peg_board::wrist_workspace(true);

@@ -13,12 +13,12 @@ namespace trocar::exchange {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Words = std::vector<std::string_view>;
+using Choices = std::vector<std::string_view>;
 
 constexpr double kFarthest = 1e6;
 constexpr int kMostColumns = 100'000;
-const Words kLengths{"m", "cm", "mm"};
-const Words kAngles{"rad", "deg"};
+const Choices kLengths{"m", "cm", "mm"};
+const Choices kAngles{"rad", "deg"};
 
 /// Takes the values of one object; the first thing that is wrong is kept in `fault`.
 class MapFields {
@@ -28,7 +28,7 @@ class MapFields {
     if (!object.is_object()) complain("", "must be an object");
   }
 
-  void text(const char* key, std::string& into, const Words& allowed) {
+  void text(const char* key, std::string& into, const Choices& allowed) {
     const Json* value = find(key);
     if (value == nullptr) return;
     const bool good = value->is_string() &&

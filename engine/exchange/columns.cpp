@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/exchange/plausible.h"
+
 namespace trocar::exchange {
 namespace {
 
 using demonstration::CompactPose;
 using demonstration::Sample;
 
-/// A month; beyond it a time is surely in another unit.
-constexpr double kLongest_s = 2.7e6;
 constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 constexpr std::array<const char*, 4> kParts{"w", "x", "y", "z"};
 

@@ -12,22 +12,11 @@
 namespace trocar::exchange {
 namespace {
 
-tl::unexpected<Error> wrong(std::size_t line, std::string_view what) {
-  return fail(ErrorCode::kCorrupt, fmt::format("line {}: {}", line, what));
-}
-
-std::string_view trimmed(std::string_view field) {
-  while (field.starts_with(' ')) field.remove_prefix(1);
-  while (field.ends_with(' ')) field.remove_suffix(1);
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
-  return field;
-}
-
 std::vector<std::string> split(std::string_view line) {
   std::vector<std::string> fields;
   for (;;) {
     const std::size_t comma = line.find(',');
-    fields.emplace_back(trimmed(line.substr(0, comma)));
+    fields.emplace_back(bare_cell(line.substr(0, comma)));
     if (comma == std::string_view::npos) return fields;
     line.remove_prefix(comma + 1);
   }
@@ -48,7 +37,7 @@ Status parse_row(std::string_view line, const std::vector<const Column*>& order,
     if (last != (i + 1 == order.size())) {
       return fail(ErrorCode::kCorrupt, fmt::format("it must have {} values, as many as the first line", order.size()));
     }
-    const std::string_view field = trimmed(line.substr(0, comma));
+    const std::string_view field = bare_cell(line.substr(0, comma));
     const std::optional<double> value = parse_number(field);
     if (!value) {
       return fail(ErrorCode::kCorrupt,
@@ -83,7 +72,7 @@ Result<Imported> from_csv(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (text.empty()) return fail(ErrorCode::kCorrupt, "the file is empty");
   const Result<std::vector<const Column*>> order = columns_named(split(take_line(text)));
-  if (!order) return wrong(1, order.error().text());
+  if (!order) return wrong_line(1, order.error().text());
   RowReader reader(*order);
   std::vector<double> values(order->size());
   for (std::size_t line_number = 2; !text.empty(); ++line_number) {
@@ -91,7 +80,7 @@ Result<Imported> from_csv(std::string_view text) {
     if (line.empty()) continue;
     Status read = parse_row(line, *order, values);
     if (read) read = reader.add(values);
-    if (!read) return wrong(line_number, read.error().text());
+    if (!read) return wrong_line(line_number, read.error().text());
   }
   return reader.finish();
 }

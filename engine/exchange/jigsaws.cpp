@@ -21,18 +21,10 @@ constexpr std::size_t kColumns = 76;
 constexpr std::array<std::size_t, 2> kFirstColumn{38, 57};  ///< Of the left and of the right slave, from 0.
 constexpr double kRate_hz = 30.0;
 /// Further from a rotation than a file's rounding explains.
-constexpr double kNoRotation = 0.05;
-constexpr double kRounded = 1e-5;
+constexpr double kFarFromJigsawsRotation = 0.05;
+constexpr double kRoundedDigits = 1e-5;
 
 using Row = std::array<double, kColumns>;
-
-tl::unexpected<Error> wrong(std::size_t line, std::string_view what) {
-  return fail(ErrorCode::kCorrupt, fmt::format("line {}: {}", line, what));
-}
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
 
 /// The next word of `text`, which loses it; empty at its end.
 std::string_view take_word(std::string_view& text) {
@@ -53,12 +45,12 @@ bool parse(std::string_view word, Number& value) {
 Status read_row(std::string_view line, std::size_t number, Row& row) {
   for (std::size_t i = 0; i < kColumns; ++i) {
     const std::string_view word = take_word(line);
-    if (word.empty()) return wrong(number, fmt::format("it has {} numbers where JIGSAWS has {}", i, kColumns));
+    if (word.empty()) return wrong_line(number, fmt::format("it has {} numbers where JIGSAWS has {}", i, kColumns));
     if (!parse(word, row[i]) || !std::isfinite(row[i]) || std::abs(row[i]) > 1e6) {
-      return wrong(number, fmt::format("column {} must be a number, not \"{}\"", i + 1, word.substr(0, 40)));
+      return wrong_line(number, fmt::format("column {} must be a number, not \"{}\"", i + 1, word.substr(0, 40)));
     }
   }
-  if (!take_word(line).empty()) return wrong(number, fmt::format("it has more than {} numbers", kColumns));
+  if (!take_word(line).empty()) return wrong_line(number, fmt::format("it has more than {} numbers", kColumns));
   return {};
 }
 
@@ -89,9 +81,9 @@ class Kinematics {
   Result<Eigen::Quaterniond> rotation(const double* rows, std::size_t arm, std::size_t line) {
     const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows);
     const double off = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-    if (!(off <= kNoRotation) || R.determinant() <= 0.0) {
+    if (!(off <= kFarFromJigsawsRotation) || R.determinant() <= 0.0) {
       const std::size_t first = kFirstColumn[arm] + 4;
-      return wrong(line, fmt::format("columns {} to {} are no rotation", first, first + 8));
+      return wrong_line(line, fmt::format("columns {} to {} are no rotation", first, first + 8));
     }
     worst_rotation = std::max(worst_rotation, off);
     Eigen::Quaterniond q = Eigen::Quaterniond(R).normalized();
@@ -115,11 +107,11 @@ Result<std::vector<demonstration::AddNote>> read_gestures(std::string_view text,
     std::size_t last = 0;
     const bool numbers = parse(first_word, first) && parse(last_word, last);
     if (!numbers || gesture.empty() || gesture.size() > 40 || !take_word(line).empty()) {
-      return wrong(number, "a line of the transcription is FIRST LAST GESTURE");
+      return wrong_line(number, "a line of the transcription is FIRST LAST GESTURE");
     }
     if (first < 1 || last < first || last > frames) {
-      return wrong(number,
-                   fmt::format("the transcription names frames {} to {}, there are 1 to {}", first, last, frames));
+      return wrong_line(number,
+                        fmt::format("the transcription names frames {} to {}, there are 1 to {}", first, last, frames));
     }
     const auto time_of = [](std::size_t frame) { return static_cast<double>(frame - 1) / kRate_hz; };
     notes.push_back({std::string(gesture), time_of(first), time_of(last), "gesture", 0});
@@ -145,7 +137,7 @@ Result<Imported> from_jigsaws(std::string_view kinematics, std::string_view tran
   Imported imported;
   TROCAR_ASSIGN_OR_RETURN(imported.notes, read_gestures(transcription, read.samples.size()));
   TROCAR_RETURN_IF_ERROR(demonstration::check_samples(read.samples));
-  if (read.worst_rotation > kRounded) {
+  if (read.worst_rotation > kRoundedDigits) {
     imported.found.push_back(fmt::format(
         "rotation matrices are rounded, off by up to {:.2g}; unit quaternions stand in", read.worst_rotation));
   }

@@ -7,13 +7,11 @@
 
 #include "engine/spatial/units.h"
 
+#include "engine/exchange/plausible.h"
+
 namespace trocar::exchange {
 namespace {
 
-/// Further from a rotation than a file's rounding explains; such rows are left out.
-constexpr double kNoRotation = 0.1;
-constexpr double kRounded = 1e-5;
-constexpr double kFarthest_m = 1000.0;
 constexpr double kFarthest_rad = 1000.0;
 
 const char* name_of(kinematics::ArmSide side) {
@@ -132,7 +130,7 @@ std::optional<Eigen::Quaterniond> MappedArm::rotation(const double* n) {
     q = how.kind == "quaternion_wxyz" ? Eigen::Quaterniond(n[0], n[1], n[2], n[3])
                                       : Eigen::Quaterniond(n[3], n[0], n[1], n[2]);
     off = std::abs(q.norm() - 1.0);
-    if (!(off <= kNoRotation)) return std::nullopt;
+    if (!(off <= kFarFromRotation)) return std::nullopt;
     worst_rotation_ = std::max(worst_rotation_, off);
     return q.normalized();  // its sign as it stands there
   }
@@ -142,7 +140,7 @@ std::optional<Eigen::Quaterniond> MappedArm::rotation(const double* n) {
     Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(n);
     if (how.kind == "matrix_columns") R.transposeInPlace();
     off = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-    if (!(off <= kNoRotation) || R.determinant() <= 0.0) return std::nullopt;
+    if (!(off <= kFarFromRotation) || R.determinant() <= 0.0) return std::nullopt;
     q = Eigen::Quaterniond(R).normalized();
   }
   worst_rotation_ = std::max(worst_rotation_, off);

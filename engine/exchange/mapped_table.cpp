@@ -8,13 +8,12 @@
 
 #include "engine/exchange/mapped_arm.h"
 
+#include "engine/exchange/plausible.h"
+
 namespace trocar::exchange {
 namespace {
 
 using demonstration::Sample;
-
-/// A month; beyond it a time is surely in another unit.
-constexpr double kLongest_s = 2.7e6;
 
 /// Rows that are left out for one reason.
 struct LeftOut {

@@ -20,13 +20,13 @@ tl::unexpected<Error> corrupt(std::string message) {
   return fail(ErrorCode::kCorrupt, std::move(message));
 }
 
-struct Header {
+struct NpyHeader {
   std::string_view dictionary;
   std::string_view data;
 };
 
 /// Splits the file at the end of its header (NumPy's format versions 1 to 3).
-std::optional<Header> split_header(std::string_view bytes) {
+std::optional<NpyHeader> split_header(std::string_view bytes) {
   if (!bytes.starts_with(kMagic) || bytes.size() < 12) return std::nullopt;
   const auto byte = [&](std::size_t i) { return std::size_t{static_cast<std::uint8_t>(bytes[i])}; };
   const bool wide = byte(6) >= 2;
@@ -34,7 +34,7 @@ std::optional<Header> split_header(std::string_view bytes) {
   const std::size_t length = wide ? byte(8) | byte(9) << 8 | byte(10) << 16 | byte(11) << 24 : byte(8) | byte(9) << 8;
   const std::size_t begin = wide ? 12 : 10;
   if (length > bytes.size() - begin) return std::nullopt;
-  return Header{bytes.substr(begin, length), bytes.substr(begin + length)};
+  return NpyHeader{bytes.substr(begin, length), bytes.substr(begin + length)};
 }
 
 /// What follows `'key':` in the header's dictionary.
@@ -69,7 +69,7 @@ std::optional<Shape> parse_shape(std::string_view text) {
   return shape;
 }
 
-Result<Shape> read_shape(const Header& header) {
+Result<Shape> read_shape(const NpyHeader& header) {
   if (!value_of(header.dictionary, "descr").starts_with("'<f8'")) {
     return fail(ErrorCode::kUnsupported, "the array must be of little-endian float64 ('<f8')");
   }
@@ -99,7 +99,7 @@ double number_at(std::string_view data, std::size_t i) {
 }  // namespace
 
 Result<NpyArray> read_npy_array(std::string_view bytes) {
-  const std::optional<Header> header = split_header(bytes);
+  const std::optional<NpyHeader> header = split_header(bytes);
   if (!header) return corrupt("the file is not a NumPy array");
   const std::string_view type = value_of(header->dictionary, "descr").substr(0, 5);
   const bool wide = type == "'<f8'" || type == "'<i8'";
@@ -148,7 +148,7 @@ std::string to_npy(const demonstration::Demonstration& document) {
 }
 
 Result<Imported> from_npy(std::string_view bytes) {
-  const std::optional<Header> header = split_header(bytes);
+  const std::optional<NpyHeader> header = split_header(bytes);
   if (!header) return corrupt("the file is not a NumPy array");
   TROCAR_ASSIGN_OR_RETURN(const Shape shape, read_shape(*header));
   std::vector<const Column*> order;

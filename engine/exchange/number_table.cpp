@@ -13,17 +13,6 @@
 namespace trocar::exchange {
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
-
-std::string_view trimmed(std::string_view cell) {
-  while (!cell.empty() && is_blank(cell.front())) cell.remove_prefix(1);
-  while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
-  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-  return cell;
-}
-
 /// Where the cell at the front of `line` ends; a quoted one may hold delimiters.
 std::size_t end_of_cell(std::string_view line, char delimiter) {
   std::size_t at = 0;
@@ -49,13 +38,13 @@ std::vector<std::string_view> cells_of(std::string_view line, char delimiter) {
       while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
       if (line.empty()) return cells;
       const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
-      cells.push_back(trimmed(line.substr(0, end)));
+      cells.push_back(bare_cell(line.substr(0, end)));
       line.remove_prefix(end);
     }
   }
   for (;;) {
     const std::size_t end = end_of_cell(line, delimiter);
-    cells.push_back(trimmed(line.substr(0, end)));
+    cells.push_back(bare_cell(line.substr(0, end)));
     if (end == std::string_view::npos) return cells;
     line.remove_prefix(end + 1);
   }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "engine/exchange/plausible.h"
 #include "engine/kinematics/psm.h"
 #include "engine/spatial/units.h"
 
@@ -30,12 +31,8 @@ const std::array<ArmNames, 2> kNames{ArmNames{{"robot0_eef_pos", "eef_pos", "ee_
                                               {"robot0_gripper_qpos", "gripper_qpos", "gripper_states"}},
                                      ArmNames{{"robot1_eef_pos"}, {"robot1_eef_quat"}, {"robot1_gripper_qpos"}}};
 
-/// A quaternion's length may be off by this much; it is scaled, and said.
-constexpr double kNoRotation = 0.1;
-constexpr double kRounded = 1e-5;
 /// What wide open jaws are set to where a file tells only how far its gripper opens.
 constexpr double kOpen_deg = 60.0;
-constexpr double kFarthest_m = 1000.0;
 
 /// Where one arm is in a file; null where there is no such array.
 struct ArmArrays {
@@ -165,7 +162,7 @@ class ForeignReader {
     }
     const Eigen::Quaterniond q(v[3], v[0], v[1], v[2]);
     const double off = std::abs(q.norm() - 1.0);
-    if (!(off <= kNoRotation)) return no_rotation(*node, row);
+    if (!(off <= kFarFromRotation)) return no_rotation(*node, row);
     worst_ = std::max(worst_, off);
     return q.normalized();
   }

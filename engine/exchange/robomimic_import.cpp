@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 using Nodes = std::map<std::string, TreeNode>;
 
 /// robosuite's usual one.
-constexpr double kUsualRate_hz = 20.0;
+constexpr double kRobomimicRate_hz = 20.0;
 
 const TreeNode* find(const Nodes& nodes, const std::string& path) {
   const auto found = nodes.find(path);
@@ -168,7 +168,7 @@ Result<Imported> RobomimicReader::demonstration(const std::string& name) const {
   }
   const double told_hz = rate_told(nodes_);
   const bool guessed = options_.rate_hz == 0.0 && !(told_hz >= 0.1 && told_hz <= Tick::kPerSecond);
-  const double rate_hz = guessed ? kUsualRate_hz : options_.rate_hz > 0.0 ? options_.rate_hz : told_hz;
+  const double rate_hz = guessed ? kRobomimicRate_hz : options_.rate_hz > 0.0 ? options_.rate_hz : told_hz;
   TROCAR_ASSIGN_OR_RETURN(Imported imported, read_foreign(nodes_, group, rate_hz));
   imported.found.push_back(
       guessed ? fmt::format("the file tells no rate; {:g} samples a second are assumed", rate_hz)

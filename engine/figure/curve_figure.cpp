@@ -10,6 +10,7 @@
 #include "engine/canvas/canvas.h"
 #include "engine/core/check.h"
 #include "engine/core/file.h"
+#include "engine/figure/slice_panel.h"
 
 namespace trocar::figure {
 namespace {
@@ -20,7 +21,6 @@ using canvas::Point;
 using canvas::TextStyle;
 using canvas::Weight;
 
-constexpr Rgba kInk{28, 30, 34, 255};
 constexpr Rgba kQuiet{96, 101, 109, 255};
 constexpr Rgba kGrid{226, 229, 233, 255};
 constexpr Rgba kBeyond{213, 60, 50, 28};

@@ -11,7 +11,7 @@ using canvas::TextStyle;
 
 constexpr double kBarWidth = 18.0;
 constexpr double kPoint = 11.0;
-constexpr double kTick = 5.0;
+constexpr double kTickLength = 5.0;
 constexpr double kGap = 7.0;
 constexpr double kRow = 24.0;
 constexpr double kSwatch = 15.0;
@@ -104,8 +104,8 @@ void draw_bar(Canvas& canvas, const FieldLook& look, const Clipping& clipping, c
   const TextStyle style = label_style(bar.unit, bar.ink);
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
     const double y = std::round(bar.y + bar.height * (1.0 - look.scale.position(ticks.values[i])) - 0.5) + 0.5;
-    canvas.line({bar.x + width, y}, {bar.x + width + kTick * bar.unit, y}, bar.ink, 1.0);
-    canvas.text({bar.x + width + (kTick + kGap) * bar.unit, y + 0.36 * style.size_px}, ticks.labels[i], style);
+    canvas.line({bar.x + width, y}, {bar.x + width + kTickLength * bar.unit, y}, bar.ink, 1.0);
+    canvas.text({bar.x + width + (kTickLength + kGap) * bar.unit, y + 0.36 * style.size_px}, ticks.labels[i], style);
   }
 }
 
@@ -157,7 +157,7 @@ double key_width(const Canvas& canvas, const learning::Field& field, const Field
   };
   for (const MarkRow& mark : mark_rows(field, options)) beside(kSwatch + kGap, mark.text);
   if (look.categories.empty()) {
-    for (const std::string& label : bar_ticks(look.scale).labels) beside(kBarWidth + kTick + kGap, label);
+    for (const std::string& label : bar_ticks(look.scale).labels) beside(kBarWidth + kTickLength + kGap, label);
   } else {
     for (const std::string& name : field.categories) beside(kSwatch + kGap, name);
   }

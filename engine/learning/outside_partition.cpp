@@ -15,7 +15,7 @@ namespace {
 using spatial::kActionCount;
 
 constexpr double kTolerance = 1e-12;
-constexpr int kMaxSweeps = 100'000;
+constexpr int kMaxOutsideSweeps = 100'000;
 constexpr double kUnknown = -std::numeric_limits<double>::infinity();
 
 class OutsideSolver {
@@ -30,7 +30,7 @@ class OutsideSolver {
   void run() {
     spread();
     choose_scales();
-    for (int count = 0; !sweep(); ++count) TROCAR_CHECK(count < kMaxSweeps);  // θ₀ below the limit: a contraction
+    for (int count = 0; !sweep(); ++count) TROCAR_CHECK(count < kMaxOutsideSweeps);  // θ₀ below the limit: a contraction
     for (const std::int32_t cell : order_) {
       const auto s = static_cast<std::size_t>(cell);
       logs_[s] = portable_log(partition_[s]) + kLn2 * scales_[s];

@@ -20,7 +20,7 @@ constexpr std::size_t kPropertyLimit = 64;
 /// The importer keeps a line in a buffer of four thousand characters.
 constexpr std::size_t kLineLimit = 2000;
 
-tl::unexpected<Error> corrupt(std::string what) {
+tl::unexpected<Error> corrupt_ply(std::string what) {
   return fail(ErrorCode::kCorrupt, "the mesh " + std::move(what));
 }
 
@@ -67,7 +67,7 @@ class Lines {
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     const auto strange = [](char c) { return c != '\t' && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F); };
     if (line.size() > kLineLimit || std::any_of(line.begin(), line.end(), strange)) {
-      return corrupt("has a line that is no line of text");
+      return corrupt_ply("has a line that is no line of text");
     }
     return line;
   }
@@ -98,7 +98,7 @@ bool is_floating(std::string_view type) {
 Status check_element(Words words, Header& header, Element& element) {
   const std::string_view name = words.next();
   const std::optional<std::uint32_t> count = words.number<std::uint32_t>();
-  if (!count || !words.at_end()) return corrupt("counts its elements in no number");
+  if (!count || !words.at_end()) return corrupt_ply("counts its elements in no number");
   if (name == "vertex" && element == Element::kNone) {
     element = Element::kVertex;
     header.counts.vertices = *count;
@@ -106,7 +106,7 @@ Status check_element(Words words, Header& header, Element& element) {
     element = Element::kFace;
     header.counts.faces = *count;
   } else {
-    return corrupt("has other elements than vertices before faces");
+    return corrupt_ply("has other elements than vertices before faces");
   }
   return {};
 }
@@ -115,7 +115,7 @@ Status check_list(Words words, Header& header) {
   const bool is_list = words.next() == "list" && is_whole(words.next()) && is_whole(words.next());
   const std::string_view name = words.next();
   if (!is_list || header.has_list || (name != "vertex_indices" && name != "vertex_index") || !words.at_end()) {
-    return corrupt("has faces that are more than lists of vertices");
+    return corrupt_ply("has faces that are more than lists of vertices");
   }
   header.has_list = true;
   return {};
@@ -128,13 +128,13 @@ Status check_property(Words words, Header& header, Element element) {
   const bool whole = is_whole(type);
   if (element != Element::kVertex || (!whole && !is_floating(type)) || name.empty() || !words.at_end() ||
       header.whole_numbers.size() >= kPropertyLimit) {
-    return corrupt("has a property where none can be");
+    return corrupt_ply("has a property where none can be");
   }
   constexpr std::array<std::string_view, 6> kNames{"x", "y", "z", "nx", "ny", "nz"};
   const auto* const found = std::find(kNames.begin(), kNames.end(), name);
   if (found != kNames.end()) {
     bool& known = header.known[static_cast<std::size_t>(found - kNames.begin())];
-    if (known || whole) return corrupt("has coordinates twice, or in whole numbers");
+    if (known || whole) return corrupt_ply("has coordinates twice, or in whole numbers");
     known = true;
   }
   header.whole_numbers.push_back(whole);
@@ -143,21 +143,21 @@ Status check_property(Words words, Header& header, Element element) {
 
 Status check_format(Lines& lines) {
   TROCAR_ASSIGN_OR_RETURN(const std::string_view magic, lines.next());
-  if (magic != "ply") return corrupt("does not begin as PLY");
+  if (magic != "ply") return corrupt_ply("does not begin as PLY");
   TROCAR_ASSIGN_OR_RETURN(const std::string_view format, lines.next());
   if (format == "format ascii 1.0") return {};
-  if (format.substr(0, 13) != "format binary") return corrupt("does not say its format");
+  if (format.substr(0, 13) != "format binary") return corrupt_ply("does not say its format");
   return fail(ErrorCode::kUnsupported, "the mesh is binary PLY; only text PLY is read");
 }
 
 /// Every number takes a digit and a blank: what is promised must fit into what is there before room is made for it.
 Status check_promise(const Header& header, std::size_t remaining) {
   if (!header.known[0] || !header.known[1] || !header.known[2] || !header.has_list)
-    return corrupt("has no coordinates");
-  if (header.counts.vertices == 0 || header.counts.faces == 0) return corrupt("has no faces");
+    return corrupt_ply("has no coordinates");
+  if (header.counts.vertices == 0 || header.counts.faces == 0) return corrupt_ply("has no faces");
   const std::size_t least =
       std::size_t{2} * header.counts.vertices * header.whole_numbers.size() + std::size_t{8} * header.counts.faces;
-  if (least > remaining + 1) return corrupt("is cut short");
+  if (least > remaining + 1) return corrupt_ply("is cut short");
   return {};
 }
 
@@ -180,10 +180,10 @@ Result<Header> check_header(Lines& lines) {
     } else if (word == "property") {
       TROCAR_RETURN_IF_ERROR(check_property(words, header, element));
     } else {
-      return corrupt("has a line in its header where it cannot be");
+      return corrupt_ply("has a line in its header where it cannot be");
     }
   }
-  return corrupt("has no end of its header");
+  return corrupt_ply("has no end of its header");
 }
 
 bool check_number(Words& words, bool whole) {
@@ -197,9 +197,9 @@ Status check_vertices(Lines& lines, const Header& header) {
     TROCAR_ASSIGN_OR_RETURN(const std::string_view line, lines.next());
     Words words(line);
     for (const bool whole : header.whole_numbers) {
-      if (!check_number(words, whole)) return corrupt(fmt::format("has no finite number at vertex {}", i));
+      if (!check_number(words, whole)) return corrupt_ply(fmt::format("has no finite number at vertex {}", i));
     }
-    if (!words.at_end()) return corrupt(fmt::format("has more than it says at vertex {}", i));
+    if (!words.at_end()) return corrupt_ply(fmt::format("has more than it says at vertex {}", i));
   }
   return {};
 }
@@ -210,17 +210,17 @@ Status check_faces(Lines& lines, const PlyCounts& counts) {
     Words words(line);
     const std::optional<std::uint32_t> corners = words.number<std::uint32_t>();
     if (!corners || *corners < 3 || *corners > kCornerLimit) {
-      return corrupt(fmt::format("has no polygon at face {}", face));
+      return corrupt_ply(fmt::format("has no polygon at face {}", face));
     }
     for (std::uint32_t k = 0; k < *corners; ++k) {
       const std::optional<std::uint32_t> index = words.number<std::uint32_t>();
       if (!index || *index >= counts.vertices) {
-        return corrupt(fmt::format("has a vertex that is not there at face {}", face));
+        return corrupt_ply(fmt::format("has a vertex that is not there at face {}", face));
       }
     }
-    if (!words.at_end()) return corrupt(fmt::format("has more than it says at face {}", face));
+    if (!words.at_end()) return corrupt_ply(fmt::format("has more than it says at face {}", face));
   }
-  if (!lines.at_end()) return corrupt("goes on after its last face");
+  if (!lines.at_end()) return corrupt_ply("goes on after its last face");
   return {};
 }
 

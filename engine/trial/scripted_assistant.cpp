@@ -21,9 +21,7 @@ constexpr double kRelease_m = 0.0006;
 constexpr double kAwayUp_m = 0.022;
 /// At the hand-off there is no peg in the hole, so the jaws may straddle the wall with more room.
 constexpr double kWider_rad = 0.08;
-constexpr double kGripTime_s = 0.35;
-constexpr double kFeel_s = 0.25;
-constexpr double kGiveUp_s = 1.0;
+constexpr double kAssistantGivesUp_s = 1.0;
 
 }  // namespace
 
@@ -88,7 +86,7 @@ void ScriptedAssistant::think_of_taking(const Glimpse& seen) {
       return go(Step::kClose);
     case Step::kClose: {
       const bool holds = seen.block.held_by(ArmSide::kRight);
-      if (hand_busy() || !waited(kGripTime_s + (holds ? kFeel_s : kGiveUp_s))) return;
+      if (hand_busy() || !waited(kGripTime_s + (holds ? kFeel_s : kAssistantGivesUp_s))) return;
       if (!holds) {
         judge_anew();
         grip(draw_opening() + kWider_rad, kGripTime_s);

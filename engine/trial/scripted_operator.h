@@ -41,6 +41,9 @@ class ScriptedOperator : public OperatorInput {
   int attempts() const { return attempts_; }
 
  protected:
+  static constexpr double kGripTime_s = 0.35;  ///< To close the hand.
+  static constexpr double kFeel_s = 0.25;      ///< Until a closed hand tells whether it holds.
+
   /// Looks at the world and moves on; called once a sample.
   virtual void think(const Glimpse& seen) = 0;
 

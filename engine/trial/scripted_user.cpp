@@ -19,9 +19,7 @@ constexpr double kLiftedTip_m = 0.045;  ///< z of the tip at the end of B.
 constexpr double kHoverOverTop_m = 0.0025;
 constexpr double kRetreatUp_m = 0.012;
 constexpr double kFirstLook_s = 0.6;
-constexpr double kGripTime_s = 0.35;
-constexpr double kFeel_s = 0.25;
-constexpr double kGiveUp_s = 0.8;
+constexpr double kUserGivesUp_s = 0.8;
 constexpr double kRelaxTime_s = 1.5;
 /// A block that moved or turned by more on the way down was pushed by a jaw.
 constexpr double kPushed_m = 0.0020;
@@ -136,7 +134,7 @@ void ScriptedUser::think_of_lift(const Glimpse& seen) {
   switch (step_) {
     case Step::kClose: {
       const bool feels = seen.block.held_by(ArmSide::kLeft);
-      if (hand_busy() || !waited(kGripTime_s + (feels ? kFeel_s : kGiveUp_s))) return;
+      if (hand_busy() || !waited(kGripTime_s + (feels ? kFeel_s : kUserGivesUp_s))) return;
       return go(Step::kLift);
     }
     case Step::kLift: {

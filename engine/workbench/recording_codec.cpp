@@ -17,9 +17,9 @@ using demonstration::Provenance;
 using demonstration::Sample;
 using nlohmann::json;
 
-constexpr int kFormat = 1;
+constexpr int kRecordingFormat = 1;
 
-tl::unexpected<Error> corrupt(std::string message) {
+tl::unexpected<Error> corrupt_recording(std::string message) {
   return fail(ErrorCode::kCorrupt, std::move(message));
 }
 
@@ -55,7 +55,7 @@ class Fields {
   }
   Status done() const {
     if (problem_.empty()) return {};
-    return corrupt(fmt::format("the recording's {} is missing or wrong", problem_));
+    return corrupt_recording(fmt::format("the recording's {} is missing or wrong", problem_));
   }
 
  private:
@@ -90,7 +90,7 @@ bool parse_outcome(const std::string& text, Outcome& outcome) {
 }  // namespace
 
 std::string header_to_json(const Provenance& provenance) {
-  return dump({{"format", kFormat},
+  return dump({{"format", kRecordingFormat},
                {"sample_bytes", sizeof(Sample)},
                {"operator", provenance.operator_kind},
                {"skill", provenance.skill},
@@ -105,7 +105,7 @@ std::string header_to_json(const Provenance& provenance) {
 
 Result<Provenance> header_from_json(std::string_view text) {
   const json object = json::parse(text, nullptr, false);
-  if (!object.is_object()) return corrupt("the recording's header is not a JSON object");
+  if (!object.is_object()) return corrupt_recording("the recording's header is not a JSON object");
   Fields fields(object);
   Provenance provenance;
   int format = 0;
@@ -122,7 +122,7 @@ Result<Provenance> header_from_json(std::string_view text) {
   fields.take("software", provenance.software);
   fields.take("created", provenance.created);
   TROCAR_RETURN_IF_ERROR(fields.done());
-  if (format != kFormat || sample_bytes != static_cast<int>(sizeof(Sample))) {
+  if (format != kRecordingFormat || sample_bytes != static_cast<int>(sizeof(Sample))) {
     return fail(ErrorCode::kUnsupported, "the recording has a layout that this version cannot read");
   }
   return provenance;
@@ -138,7 +138,7 @@ std::string footer_to_json(const RecordingFooter& footer) {
 
 Result<RecordingFooter> footer_from_json(std::string_view text) {
   const json object = json::parse(text, nullptr, false);
-  if (!object.is_object()) return corrupt("the recording's footer is not a JSON object");
+  if (!object.is_object()) return corrupt_recording("the recording's footer is not a JSON object");
   Fields fields(object);
   RecordingFooter footer;
   std::string outcome;
@@ -169,12 +169,12 @@ std::string encode_chunk(std::span<const Sample> samples, std::span<const HashMa
 
 Status decode_chunk(std::string_view bytes, demonstration::Recording& recording) {
   std::array<std::uint32_t, 2> counts{};
-  if (bytes.size() < sizeof counts) return corrupt("a chunk of the recording is too short");
+  if (bytes.size() < sizeof counts) return corrupt_recording("a chunk of the recording is too short");
   std::memcpy(counts.data(), bytes.data(), sizeof counts);
   bytes.remove_prefix(sizeof counts);
   const std::size_t sample_bytes = counts[0] * sizeof(Sample);
   const std::size_t mark_bytes = counts[1] * sizeof(HashMark);
-  if (bytes.size() != sample_bytes + mark_bytes) return corrupt("a chunk of the recording has the wrong length");
+  if (bytes.size() != sample_bytes + mark_bytes) return corrupt_recording("a chunk of the recording has the wrong length");
   const std::size_t sample_count = recording.samples.size();
   const std::size_t mark_count = recording.hashes.size();
   recording.samples.resize(sample_count + counts[0]);

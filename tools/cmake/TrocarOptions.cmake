@@ -31,6 +31,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(trocar_flags INTERFACE -Wno-maybe-uninitialized -Wno-null-dereference
                          -Wno-array-bounds -Wno-stringop-overflow -Wno-psabi)
 endif()
+if(CMAKE_UNITY_BUILD)
+  # Several files are compiled as one, so g++ takes what is private to a file for part of a header.
+  target_compile_options(trocar_flags INTERFACE -Wno-subobject-linkage)
+endif()
 if(TROCAR_WERROR)
   target_compile_options(trocar_flags INTERFACE -Werror)
 endif()

@@ -16,9 +16,12 @@
 #include "engine/exchange/number_table.h"
 #include "engine/kinematics/psm.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentences.h"
 
 using namespace trocar;
 using namespace trocar::exchange;
+
+using trocar::testing::mentions;
 
 namespace {
 
@@ -42,11 +45,6 @@ std::string map_error(const std::string& json) {
   REQUIRE_FALSE(map);
   CHECK(map.error().code() == ErrorCode::kInvalidArgument);
   return map.error().text();
-}
-
-bool mentions(const std::vector<std::string>& sentences, std::string_view words) {
-  return std::any_of(sentences.begin(), sentences.end(),
-                     [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
 }
 
 /// An array file of `rows` by `width`.

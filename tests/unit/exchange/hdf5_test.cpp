@@ -16,6 +16,7 @@
 #include "engine/exchange/robomimic.h"
 #include "tests/support/document_samples.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentences.h"
 
 using namespace trocar;
 using namespace trocar::exchange;
@@ -23,6 +24,8 @@ using demonstration::Demonstration;
 using demonstration::Sample;
 using testing::moving_demonstration;
 using testing::moving_recording;
+
+using trocar::testing::mentions;
 
 namespace {
 
@@ -109,11 +112,6 @@ Result<std::vector<Imported>> read_nodes(std::vector<TreeNode> nodes, RobomimicO
   RobomimicReader reader(std::move(options));
   for (TreeNode& node : nodes) REQUIRE(reader.take(std::move(node)));
   return reader.finish();
-}
-
-bool mentions(const std::vector<std::string>& sentences, std::string_view words) {
-  return std::any_of(sentences.begin(), sentences.end(),
-                     [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
 }
 
 }  // namespace

@@ -10,9 +10,12 @@
 #include "engine/exchange/jigsaws.h"
 #include "tests/support/document_samples.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/sentences.h"
 
 using namespace trocar;
 using namespace trocar::exchange;
+
+using trocar::testing::mentions;
 
 namespace {
 
@@ -38,11 +41,6 @@ std::string refusal(std::string_view kinematics, std::string_view transcription 
   const auto read = from_jigsaws(kinematics, transcription);
   REQUIRE_FALSE(read.has_value());
   return read.error().text();
-}
-
-bool mentions(const std::vector<std::string>& sentences, std::string_view words) {
-  return std::any_of(sentences.begin(), sentences.end(),
-                     [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
 }
 
 }  // namespace

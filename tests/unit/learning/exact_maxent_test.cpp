@@ -21,7 +21,8 @@ TrainOptions exact() {
   return options;
 }
 
-Model trained(const CellSequence& expert, const TrainOptions& options = exact(), const spatial::Grid& grid = {}) {
+Model exactly_trained(const CellSequence& expert, const TrainOptions& options = exact(),
+                      const spatial::Grid& grid = {}) {
   Progress progress;
   return train(grid, {expert}, options, progress).value();
 }
@@ -30,7 +31,7 @@ Model trained(const CellSequence& expert, const TrainOptions& options = exact(),
 
 TEST_CASE("an exact model arrives from all 10,648 cells") {
   for (const CellSequence& expert : sample_demonstrations()) {
-    const Model model = trained(expert);
+    const Model model = exactly_trained(expert);
     const Basin all = basin(model, greedy_policy(model));
     CHECK(std::count(all.end.begin(), all.end.end(), RolloutEnd::kArrives) == 10648);
   }
@@ -40,7 +41,7 @@ TEST_CASE("an exact model on 44³ arrives from all 85,184 cells") {
   TrainOptions options = exact();
   options.safe_radius *= 2;
   options.start_spread *= 2;
-  const Model model = trained(sample_demonstrations(2)[1], options, spatial::Grid::with_cells(44));
+  const Model model = exactly_trained(sample_demonstrations(2)[1], options, spatial::Grid::with_cells(44));
   const Basin all = basin(model, greedy_policy(model));
   CHECK(std::count(all.end.begin(), all.end.end(), RolloutEnd::kArrives) == 85184);
 }
@@ -53,7 +54,7 @@ TEST_CASE("an exact model approaches from above, as it was shown, in 0.95 of ±3
   demonstrations.push_back(testing::approach_from_above(grid, {11, 12, 19}, {2, 4, 1}, 8, 22));
   demonstrations.push_back(testing::approach_from_above(grid, {4, 4, 19}, {16, 16, 6}, 5, 23));
   for (const CellSequence& expert : demonstrations) {
-    const Model model = trained(expert);
+    const Model model = exactly_trained(expert);
     const Basin all = basin(model, greedy_policy(model));
     const RolloutSummary near = summarise(all, starts_around(model, 3));
     const RolloutSummary far = summarise(all, starts_around(model, 5));
@@ -64,8 +65,8 @@ TEST_CASE("an exact model approaches from above, as it was shown, in 0.95 of ±3
 
 TEST_CASE("an exact model has the same bytes on every run, warm or cold") {
   const CellSequence expert = sample_demonstrations()[4];
-  const Model cold = trained(expert);
-  CHECK(trained(expert).hash() == cold.hash());
+  const Model cold = exactly_trained(expert);
+  CHECK(exactly_trained(expert).hash() == cold.hash());
   const CellSequence moved = testing::with_moved_waypoint(cold.grid, expert, 5);
   Progress progress;
   const std::uint64_t warm = train_warm(cold, {moved}, exact(), progress).value().hash();
@@ -75,11 +76,11 @@ TEST_CASE("an exact model has the same bytes on every run, warm or cold") {
 TEST_CASE("a warm start ends where a cold start ends") {
   const spatial::Grid grid;
   for (const CellSequence& expert : sample_demonstrations()) {
-    const Model before = trained(expert);
+    const Model before = exactly_trained(expert);
     const CellSequence moved = testing::with_moved_waypoint(grid, expert, expert.size() / 2);
     Progress progress;
     const Model warm = train_warm(before, {moved}, exact(), progress).value();
-    const Model cold = trained(moved);
+    const Model cold = exactly_trained(moved);
     double apart = 0.0;
     for (std::size_t s = 0; s < warm.theta.size(); ++s)
       apart = std::max(apart, std::abs(warm.theta[s] - cold.theta[s]));
@@ -92,7 +93,7 @@ TEST_CASE("a warm start ends where a cold start ends") {
 }
 
 TEST_CASE("θ lies between its limits, is the prior outside of the safe set, and 0 at the goal") {
-  const Model model = trained(sample_demonstrations()[0]);
+  const Model model = exactly_trained(sample_demonstrations()[0]);
   for (std::size_t s = 0; s < model.theta.size(); ++s) {
     if (static_cast<std::int32_t>(s) == model.goal.value) {
       CHECK(model.theta[s] == 0.0);
@@ -104,7 +105,7 @@ TEST_CASE("θ lies between its limits, is the prior outside of the safe set, and
 }
 
 TEST_CASE("each exact V is the log of the sum of its e^Q") {
-  const Model model = trained(sample_demonstrations()[5]);
+  const Model model = exactly_trained(sample_demonstrations()[5]);
   for (std::size_t s = 0; s < model.value.size(); ++s) {
     if (static_cast<std::int32_t>(s) == model.goal.value) continue;
     double sum = 0.0;
@@ -116,7 +117,7 @@ TEST_CASE("each exact V is the log of the sum of its e^Q") {
 TEST_CASE("a prior of −50 leaves the range of a double, and every V is finite all the same") {
   TrainOptions options = exact();
   options.theta_prior = -50.0;
-  const Model model = trained(sample_demonstrations()[0], options);
+  const Model model = exactly_trained(sample_demonstrations()[0], options);
   CHECK(*std::min_element(model.value.begin(), model.value.end()) < -750.0);
   CHECK(std::all_of(model.value.begin(), model.value.end(), [](double v) { return std::isfinite(v); }));
   const Basin all = basin(model, greedy_policy(model));
@@ -135,7 +136,7 @@ TEST_CASE("two experts with the same goal are learned together") {
 }
 
 TEST_CASE("exact visits are expected counts: a thousand at the goal, most along the end of the expert's path") {
-  const Model model = trained(sample_demonstrations()[2]);
+  const Model model = exactly_trained(sample_demonstrations()[2]);
   CHECK(model.visits[static_cast<std::size_t>(model.goal.value)] == 1000);
   const spatial::CellIndex last = model.experts[0][model.experts[0].size() - 2];
   CHECK(model.visits[static_cast<std::size_t>(last.value)] > 800);

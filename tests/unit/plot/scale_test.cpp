@@ -10,7 +10,7 @@ using namespace trocar::plot;
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// RapidCheck prints what it found; doctest fails the case.
 template <typename Property>
@@ -44,7 +44,7 @@ TEST_CASE("a scale never turns round, and clamps what is outside") {
   }
   CHECK(scale.position(-1e9) == 0.0);
   CHECK(scale.position(1e9) == 1.0);
-  CHECK(scale.position(kNan) == 0.0);
+  CHECK(scale.position(kNotANumber) == 0.0);
 }
 
 TEST_CASE("symlog gives every decade the same width beyond its linear part") {
@@ -56,7 +56,8 @@ TEST_CASE("symlog gives every decade the same width beyond its linear part") {
 }
 
 TEST_CASE("limits are fitted to the finite values only") {
-  const Scale scale = fit_scale(ScaleKind::kLinear, {kNan, 3.0, -1.0, std::numeric_limits<double>::infinity()}, false);
+  const Scale scale =
+      fit_scale(ScaleKind::kLinear, {kNotANumber, 3.0, -1.0, std::numeric_limits<double>::infinity()}, false);
   CHECK(scale.low == -1.0);
   CHECK(scale.high == 3.0);
 }
@@ -69,7 +70,7 @@ TEST_CASE("a centred scale puts zero in the middle") {
 
 TEST_CASE("nothing finite, or one value only, still gives a scale of some width") {
   for (const bool centred : {false, true}) {
-    const std::vector<std::vector<double>> cases{{}, {kNan}, {0.0, 0.0}, {7.0}, {-2.0, -2.0}, {1e300}};
+    const std::vector<std::vector<double>> cases{{}, {kNotANumber}, {0.0, 0.0}, {7.0}, {-2.0, -2.0}, {1e300}};
     for (const auto& values : cases) {
       const Scale scale = fit_scale(ScaleKind::kSymlog, values, centred);
       CHECK(scale.low < scale.high);
