@@ -30,7 +30,8 @@ class OutsideSolver {
   void run() {
     spread();
     choose_scales();
-    for (int count = 0; !sweep(); ++count) TROCAR_CHECK(count < kMaxOutsideSweeps);  // θ₀ below the limit: a contraction
+    for (int count = 0; !sweep(); ++count)
+      TROCAR_CHECK(count < kMaxOutsideSweeps);  // θ₀ below the limit: a contraction
     for (const std::int32_t cell : order_) {
       const auto s = static_cast<std::size_t>(cell);
       logs_[s] = portable_log(partition_[s]) + kLn2 * scales_[s];

@@ -174,7 +174,8 @@ Status decode_chunk(std::string_view bytes, demonstration::Recording& recording)
   bytes.remove_prefix(sizeof counts);
   const std::size_t sample_bytes = counts[0] * sizeof(Sample);
   const std::size_t mark_bytes = counts[1] * sizeof(HashMark);
-  if (bytes.size() != sample_bytes + mark_bytes) return corrupt_recording("a chunk of the recording has the wrong length");
+  if (bytes.size() != sample_bytes + mark_bytes)
+    return corrupt_recording("a chunk of the recording has the wrong length");
   const std::size_t sample_count = recording.samples.size();
   const std::size_t mark_count = recording.hashes.size();
   recording.samples.resize(sample_count + counts[0]);
