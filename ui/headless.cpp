@@ -45,7 +45,7 @@ class Runner {
   Driver driver_;
 };
 
-float number(const std::string& word) {
+float word_number(const std::string& word) {
   return std::strtof(word.c_str(), nullptr);
 }
 
@@ -72,8 +72,8 @@ Status Runner::wait_for(const std::string& path, double limit_s) {
 
 Status Runner::wait(const ScriptLine& line) {
   const auto& words = line.words;
-  if (words[1] == "idle") return settle(words.size() > 2 ? static_cast<double>(number(words[2])) : 60.0);
-  return wait_for(words[2], words.size() > 3 ? static_cast<double>(number(words[3])) : 60.0);
+  if (words[1] == "idle") return settle(words.size() > 2 ? static_cast<double>(word_number(words[2])) : 60.0);
+  return wait_for(words[2], words.size() > 3 ? static_cast<double>(word_number(words[3])) : 60.0);
 }
 
 Status Runner::expect(const ScriptLine& line) {
@@ -93,18 +93,18 @@ Status Runner::run(const ScriptLine& line) {
   if (verb == "double_click") return driver_.double_click(words[1]);
   if (verb == "hover") return driver_.hover(words[1]);
   if (verb == "drag") {
-    const int which = words.size() > 4 ? static_cast<int>(number(words[4])) : 0;
+    const int which = words.size() > 4 ? static_cast<int>(word_number(words[4])) : 0;
     if (which < 0 || which > 2) return fail(ErrorCode::kInvalidArgument, "a mouse button is 0, 1 or 2");
-    return driver_.drag(words[1], number(words[2]), number(words[3]), which);
+    return driver_.drag(words[1], word_number(words[2]), word_number(words[3]), which);
   }
-  if (verb == "wheel") return driver_.wheel(words[1], number(words[2]));
+  if (verb == "wheel") return driver_.wheel(words[1], word_number(words[2]));
   if (verb == "type") return driver_.type(words[1], words[2]);
   if (verb == "key") return driver_.key(words[1]);
   if (verb == "expect") return expect(line);
   if (verb == "wait") return wait(line);
   if (verb == "screenshot") return screenshot(words[1]);
   if (verb == "dump") return write_file(words[1], application_.session().items().to_json());
-  return driver_.frames(static_cast<int>(number(words[1])));
+  return driver_.frames(static_cast<int>(word_number(words[1])));
 }
 
 Status Runner::screenshot(const std::filesystem::path& path) {

@@ -16,7 +16,7 @@ using spatial::kActionCount;
 
 constexpr double kTolerance = 1e-12;
 constexpr int kMaxOutsideSweeps = 100'000;
-constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+constexpr double kNotReached = -std::numeric_limits<double>::infinity();
 
 class OutsideSolver {
  public:
@@ -69,13 +69,13 @@ class OutsideSolver {
   /// Gives each outside cell the log of its best single path, in falling order: as all steps outside cost the same, the
   /// sorted border and the queue of cells reached so far need only be merged.
   void spread() {
-    for (std::size_t s = 0; s < logs_.size(); ++s) logs_[s] = safe(s) ? logs_[s] : kUnknown;
+    for (std::size_t s = 0; s < logs_.size(); ++s) logs_[s] = safe(s) ? logs_[s] : kNotReached;
     const std::vector<std::int32_t> seeds = border();
     std::size_t seed = 0;
     std::size_t reached = 0;
     while (seed < seeds.size() || reached < order_.size()) {
-      const double by_seed = seed < seeds.size() ? logs_[static_cast<std::size_t>(seeds[seed])] : kUnknown;
-      const double by_queue = reached < order_.size() ? logs_[static_cast<std::size_t>(order_[reached])] : kUnknown;
+      const double by_seed = seed < seeds.size() ? logs_[static_cast<std::size_t>(seeds[seed])] : kNotReached;
+      const double by_queue = reached < order_.size() ? logs_[static_cast<std::size_t>(order_[reached])] : kNotReached;
       const std::int32_t cell = by_seed >= by_queue ? seeds[seed++] : order_[reached++];
       extend_from(cell);
     }
@@ -91,7 +91,7 @@ class OutsideSolver {
                                  : std::nullopt;
       if (!neighbour) continue;
       const auto other = static_cast<std::size_t>(neighbour->value);
-      if (safe(other) || logs_[other] != kUnknown) continue;
+      if (safe(other) || logs_[other] != kNotReached) continue;
       logs_[other] = logs_[s] + model_.options.theta_prior;
       order_.push_back(neighbour->value);
     }

@@ -69,9 +69,9 @@ void follow(const Model& model, const std::vector<std::uint8_t>& policy, Rollout
 }
 
 bool ends_from_above(const Model& model, const CellSequence& cells) {
-  constexpr std::size_t kLastMoves = 3;
-  if (cells.size() < kLastMoves + 1) return false;
-  for (std::size_t i = cells.size() - kLastMoves; i < cells.size(); ++i) {
+  constexpr std::size_t kLookedAt = 3;
+  if (cells.size() < kLookedAt + 1) return false;
+  for (std::size_t i = cells.size() - kLookedAt; i < cells.size(); ++i) {
     if (model.grid.neighbour(cells[i - 1], Action::kMinusZ) != cells[i]) return false;
   }
   return true;

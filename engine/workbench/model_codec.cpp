@@ -13,7 +13,7 @@ using nlohmann::json;
 
 constexpr int kFormat = 2;
 
-tl::unexpected<Error> corrupt(std::string message) {
+tl::unexpected<Error> corrupt_model(std::string message) {
   return fail(ErrorCode::kCorrupt, std::move(message));
 }
 
@@ -86,7 +86,7 @@ namespace {
 
 /// All but the model.
 Result<ModelEntry> entry_of(const json& meta) {
-  if (!meta.is_object()) return corrupt("the model's description is not a JSON object");
+  if (!meta.is_object()) return corrupt_model("the model's description is not a JSON object");
   if (meta.value("format", json()) != json(kFormat)) {
     return fail(ErrorCode::kUnsupported, "the model has a layout that this version cannot read");
   }
@@ -95,7 +95,7 @@ Result<ModelEntry> entry_of(const json& meta) {
   if (!take_text(meta, "name", entry.name) || !take_text(meta, "created", entry.created) ||
       !take_segment(meta, entry.segment) || !take_sources(meta, entry) || seconds == meta.end() ||
       !seconds->is_number()) {
-    return corrupt("the model's description misses a value or has one out of range");
+    return corrupt_model("the model's description misses a value or has one out of range");
   }
   return entry;
 }
@@ -117,8 +117,8 @@ Result<std::optional<ModelEntry>> describe_model(std::string_view meta_text, std
   std::string hash;
   const auto size = meta.find("size_bytes");
   if (!take_text(meta, "hash", hash) || size == meta.end()) return std::nullopt;
-  if (!take_hash(hash, entry.model_hash)) return corrupt("the model's description has a hash that is none");
-  if (*size != json(size_bytes)) return corrupt("the model's length does not fit its description");
+  if (!take_hash(hash, entry.model_hash)) return corrupt_model("the model's description has a hash that is none");
+  if (*size != json(size_bytes)) return corrupt_model("the model's length does not fit its description");
   return entry;
 }
 

@@ -16,7 +16,7 @@ Workbench::Impl::Impl(Options options_in)
         auto maker = std::make_shared<InsightMaker>();
         return [maker](const InsightRequest& request) { return maker->make(request); };
       }),
-      preview([] { return preview_of; }),
+      preview([] { return [](const PreviewRequest& request) { return preview_of(request); }; }),
       review([] {
         auto maker = std::make_shared<ReviewMaker>();
         return [maker](const ReviewRequest& request) { return maker->make(request); };

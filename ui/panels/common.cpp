@@ -146,4 +146,8 @@ void append(Requests& to, Requests from) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
+double length_of(const demonstration::Demonstration& shown) {
+  return shown.samples.empty() ? 1.0 : shown.full_duration_s();
+}
+
 }  // namespace trocar::ui

@@ -37,4 +37,7 @@ std::string provenance_words(const demonstration::Provenance& provenance);
 
 void append(Requests& to, Requests from);
 
+/// What a panel over time has room for, in seconds: all samples, gates or not; 1 for none.
+double length_of(const demonstration::Demonstration& shown);
+
 }  // namespace trocar::ui

@@ -18,10 +18,6 @@ using workbench::CurveKind;
 using workbench::CurveSet;
 using workbench::ShownCurve;
 
-double length_of(const Demonstration& shown) {
-  return shown.samples.empty() ? 1.0 : shown.full_duration_s();
-}
-
 /// Whether a problem is of what a curve shows.
 bool concerns(const Problem& problem, CurveKind kind) {
   switch (problem.kind) {

@@ -33,7 +33,7 @@ constexpr double kSnap_rad = 5.0 * std::numbers::pi / 180.0;
 constexpr std::array<Rgba, 3> kAxisColours{{{236, 110, 104, 255}, {116, 200, 120, 255}, {96, 164, 240, 255}}};
 constexpr Rgba kPlain{236, 238, 242, 255};
 constexpr Rgba kTaken{255, 208, 84, 255};
-constexpr Rgba kInk{16, 18, 21, 255};
+constexpr Rgba kOutline{16, 18, 21, 255};
 
 ImVec2 at(const Vector2f& p) {
   return {p.x(), p.y()};
@@ -87,7 +87,7 @@ void draw_letter(Ui& ui, const std::string& words, const Vector2f& where, Rgba c
   const FontScope font(ui.fonts().small);
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   list.AddCircleFilled(at(where), ui.px(9), to_u32(colour), 20);
-  list.AddText({std::round(where.x() - 0.5F * size.x), std::round(where.y() - 0.5F * size.y)}, to_u32(kInk),
+  list.AddText({std::round(where.x() - 0.5F * size.x), std::round(where.y() - 0.5F * size.y)}, to_u32(kOutline),
                words.c_str());
 }
 
@@ -100,7 +100,7 @@ void draw_shape(Ui& ui, const HandleShape& shape, bool taken) {
   const float thick = ui.px(taken ? 4 : 3);
   switch (shape.handle.kind) {
     case HandleKind::kAxis:
-      list.AddLine(points[0], points[1], to_u32(kInk, 0.55F), thick + ui.px(2));
+      list.AddLine(points[0], points[1], to_u32(kOutline, 0.55F), thick + ui.px(2));
       list.AddLine(points[0], points[1], to_u32(colour), thick);
       return draw_letter(ui, name_of(shape.handle), shape.grip, colour);
     case HandleKind::kPlane:
@@ -108,13 +108,13 @@ void draw_shape(Ui& ui, const HandleShape& shape, bool taken) {
       list.AddPolyline(points.data(), static_cast<int>(points.size()), to_u32(colour), ImDrawFlags_Closed, ui.px(1.5F));
       return;
     case HandleKind::kRing:
-      list.AddPolyline(points.data(), static_cast<int>(points.size()), to_u32(kInk, 0.55F), ImDrawFlags_Closed,
+      list.AddPolyline(points.data(), static_cast<int>(points.size()), to_u32(kOutline, 0.55F), ImDrawFlags_Closed,
                        thick + ui.px(2));
       list.AddPolyline(points.data(), static_cast<int>(points.size()), to_u32(colour), ImDrawFlags_Closed, thick);
       return draw_letter(ui, name_of(shape.handle).substr(5), shape.grip, colour);
     case HandleKind::kCentre:
       list.AddCircleFilled(at(shape.grip), ui.px(7), to_u32(colour, 0.9F), 20);
-      list.AddCircle(at(shape.grip), ui.px(7), to_u32(kInk), 20, ui.px(1.5F));
+      list.AddCircle(at(shape.grip), ui.px(7), to_u32(kOutline), 20, ui.px(1.5F));
       return;
   }
 }
@@ -233,7 +233,7 @@ void GizmoOverlay::draw_waypoints(Ui& ui, const WorkbenchState& state, const Vie
                                          {pixel->x() - size, pixel->y()}}};
     const bool here = std::abs(known.at_s - state.playhead_s) < demonstration::kSameInstant_s;
     list.AddConvexPolyFilled(diamond.data(), 4, to_u32(here ? kTaken : kPlain));
-    list.AddPolyline(diamond.data(), 4, to_u32(kInk), ImDrawFlags_Closed, ui.px(1.5F));
+    list.AddPolyline(diamond.data(), 4, to_u32(kOutline), ImDrawFlags_Closed, ui.px(1.5F));
     note_grip(ui, unique(fmt::format("Waypoint {:.2f} s", known.at_s)), here ? "here" : "", *pixel, view.rect);
   }
 }

@@ -19,10 +19,6 @@ using workbench::Command;
 
 constexpr float kSpeedWidth = 266.0F;  // Of the speeds and Fit, at 100 %.
 
-double length_of(const demonstration::Demonstration& shown) {
-  return shown.samples.empty() ? 1.0 : shown.full_duration_s();
-}
-
 std::string trim_words(double in_s, double out_s) {
   return fmt::format("{:.2f}–{:.2f} s, {:.2f} s long", in_s, out_s, out_s - in_s);
 }

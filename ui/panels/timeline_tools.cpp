@@ -19,7 +19,7 @@ using workbench::TimeSpan;
 
 constexpr float kFieldWidth = 74.0F;  // At 100 %: "1234.567" and its margins.
 
-std::optional<double> number_in(const std::string& words) {
+std::optional<double> seconds_in(const std::string& words) {
   double value = 0.0;
   const char* begin = words.data();
   const char* end = begin + words.size();
@@ -60,8 +60,8 @@ void TimelineTools::draw_numbers(Ui& ui, const WorkbenchState& state, const demo
   flow(width, ui.px(4));
   const bool to = text_field(ui, "To", to_, "to s", {.help = "End of the selection, seconds", .width = width});
   if (from || to) {
-    const auto begin_s = number_in(from_);
-    const auto end_s = number_in(to_);
+    const auto begin_s = seconds_in(from_);
+    const auto end_s = seconds_in(to_);
     const bool understood = (begin_s || from_.empty()) && (end_s || to_.empty());
     if (understood && (begin_s || end_s)) {
       const TimeSpan typed{begin_s.value_or(shown.begin_s), end_s.value_or(shown.end_s)};

@@ -6,12 +6,12 @@ namespace trocar::ui {
 namespace {
 
 // Our keys that ImGui has a name for in every version.
-struct NamedKey {
+struct ImGuiNamedKey {
   ImGuiKey imgui;
   Key key;
 };
 // Not Tab: `KeyboardFocus` goes from widget to widget, of every kind.
-constexpr std::array<NamedKey, 21> kNamedKeys{{
+constexpr std::array<ImGuiNamedKey, 21> kNamedKeys{{
     {ImGuiKey_LeftArrow, Key::kLeft},
     {ImGuiKey_RightArrow, Key::kRight},
     {ImGuiKey_UpArrow, Key::kUp},
@@ -41,7 +41,7 @@ constexpr std::array<NamedKey, 21> kNamedKeys{{
 
 #if IMGUI_VERSION_NUM >= 18700
 ImGuiKey named(Key key) {
-  for (const NamedKey& entry : kNamedKeys) {
+  for (const ImGuiNamedKey& entry : kNamedKeys) {
     if (entry.key == key) return entry.imgui;
   }
   return ImGuiKey_None;
@@ -52,7 +52,7 @@ ImGuiKey named(Key key) {
 
 void map_keys([[maybe_unused]] ImGuiIO& io) {
 #if IMGUI_VERSION_NUM < 18700
-  for (const NamedKey& entry : kNamedKeys) io.KeyMap[entry.imgui] = static_cast<int>(entry.key);
+  for (const ImGuiNamedKey& entry : kNamedKeys) io.KeyMap[entry.imgui] = static_cast<int>(entry.key);
 #endif
 }
 
