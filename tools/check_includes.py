@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 UI_MAY_SEE = {"core", "spatial", "peg_board", "statistics", "plot", "media", "scene", "demonstration", "control", "learning", "review",
-              "figure", "trial", "study", "workbench"}
+              "figure", "trial", "study", "exchange", "workbench"}
 # One table of GL functions and one off-screen context serve the pictures and the window.
 UI_MAY_INCLUDE = {"engine/render/gl_functions.h", "engine/render/osmesa_context.h"}
 

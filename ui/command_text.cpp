@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "engine/demonstration/edit_words.h"
+#include "engine/workbench/importing.h"
 
 namespace trocar::ui {
 namespace {
@@ -21,6 +22,7 @@ std::string ids(const std::vector<DemonstrationId>& list) {
 struct EditText {
   std::string project;
   std::string operator()(const AddDemonstration&) const { return ""; }
+  std::string operator()(const ImportDemonstrations&) const { return ""; }
   std::string operator()(const AddModel&) const { return ""; }
   std::string operator()(const CopyDemonstration& edit) const {
     return named(fmt::format("trocar demo copy {} {}", project, edit.demonstration.value), edit.name);
@@ -89,6 +91,36 @@ std::string field_text(const ExportField& command, const std::string& project) {
                      learning::to_string(command.layer), what, shell_word(command.path.string()));
 }
 
+std::string import_text(const WorkbenchState& state, const std::string& project) {
+  if (!state.import) return "";
+  const ImportSettings& settings = state.import->settings;
+  std::string text = fmt::format("trocar demo import {} {}", project, shell_word(settings.path.string()));
+  if (settings.format) text += fmt::format(" --format {}", exchange::to_string(*settings.format));
+  if (!settings.transcription.empty()) text += " --transcription " + shell_word(settings.transcription.string());
+  for (const std::string& only : settings.only) text += " --only " + shell_word(only);
+  if (settings.rate_hz > 0.0) text += fmt::format(" --rate-hz {:g}", settings.rate_hz);
+  const auto& p = settings.p_WF_m;
+  if (p != std::array<double, 3>{}) {
+    text += fmt::format(" --offset-mm {:g},{:g},{:g}", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
+  }
+  if (!settings.name.empty()) text += " --name " + shell_word(settings.name);
+  if (settings.block != demonstration::kUnknownPlace) text += fmt::format(" --block {}", settings.block);
+  if (settings.goal != demonstration::kUnknownPlace) text += fmt::format(" --goal {}", settings.goal);
+  // The map itself has no place on a line; it is kept as a file or under a name.
+  return state.import->layout.columns ? text + " --map MAP.json" : text;
+}
+
+std::string export_text(const ExportDemonstrations& command, const std::string& project) {
+  std::string text = fmt::format("trocar demo export {}{} {} --format {}", project, ids(command.demonstrations),
+                                 shell_word(command.path.string()), exchange::to_string(command.format));
+  for (const auto& [key, places] : command.masks) {
+    for (const std::size_t place : places) {
+      text += " --mask " + shell_word(fmt::format("{}={}", key, command.demonstrations[place].value));
+    }
+  }
+  return text;
+}
+
 constexpr std::array<const char*, 4> kCameras{"paper", "top", "side", "front"};
 
 std::string video_text(const ExportVideo& video, const std::string& project) {
@@ -129,6 +161,8 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
   }
   if (const auto* record = std::get_if<RecordScripted>(&command)) return record_text(*record, project);
   if (const auto* train = std::get_if<TrainModel>(&command)) return train_text(*train, project);
+  if (std::holds_alternative<MakeImport>(command)) return import_text(state, project);
+  if (const auto* out = std::get_if<ExportDemonstrations>(&command)) return export_text(*out, project);
   if (const auto* verify = std::get_if<VerifyReplay>(&command)) {
     return fmt::format("trocar demo replay {} {} --verify", project, verify->demonstration.value);
   }

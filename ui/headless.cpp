@@ -18,9 +18,10 @@ namespace {
 
 class Runner {
  public:
-  Runner(Application& application, const Progress* progress, UiRunReport& report)
+  Runner(Application& application, const UiRunOptions& options, UiRunReport& report)
       : application_(application),
-        progress_(progress),
+        progress_(options.progress),
+        folder_(options.script.parent_path()),
         report_(report),
         driver_(application.session(), [this] { return step(); }) {}
 
@@ -41,6 +42,7 @@ class Runner {
 
   Application& application_;
   const Progress* progress_;
+  std::filesystem::path folder_;  ///< Of the script.
   UiRunReport& report_;
   Driver driver_;
 };
@@ -100,6 +102,7 @@ Status Runner::run(const ScriptLine& line) {
   if (verb == "wheel") return driver_.wheel(words[1], word_number(words[2]));
   if (verb == "type") return driver_.type(words[1], words[2]);
   if (verb == "key") return driver_.key(words[1]);
+  if (verb == "drop") return driver_.drop((folder_ / words[1]).string());
   if (verb == "expect") return expect(line);
   if (verb == "wait") return wait(line);
   if (verb == "screenshot") return screenshot(words[1]);
@@ -149,7 +152,7 @@ Result<UiRunReport> run_headless(const UiRunOptions& options) {
   TROCAR_ASSIGN_OR_RETURN(const std::unique_ptr<Application> application,
                           Application::create(*window, workbench, std::move(settings)));
   UiRunReport report;
-  Runner runner(*application, options.progress, report);
+  Runner runner(*application, options, report);
   TROCAR_RETURN_IF_ERROR(runner.step());
   report.first_frame_s = clock.now_s() - begin_s;
   TROCAR_RETURN_IF_ERROR(runner.settle(60.0));

@@ -16,6 +16,8 @@ enum class UiAction {
   kQuit,  ///< Asks first if something would be cut off.
   kQuitNow,
   kShowRecord,
+  kShowImport,
+  kShowExportDemonstrations,
   kShowExportVideo,
   kShowExportField,
   kShowPalette,

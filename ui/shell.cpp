@@ -222,7 +222,8 @@ Requests Shell::draw_host(Ui& ui, const WorkbenchState& state, double frames_hz)
 
 Requests Shell::draw_forms(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  for (Form* form : std::initializer_list<Form*>{&record_, &file_, &video_, &field_, &shortcuts_, &about_, &quit_}) {
+  for (Form* form : std::initializer_list<Form*>{&record_, &file_, &import_, &demonstrations_, &video_, &field_,
+                                                 &shortcuts_, &about_, &quit_}) {
     append(requests, form->draw(ui, state));
   }
   append(requests, palette_.draw(ui, state));
@@ -230,8 +231,8 @@ Requests Shell::draw_forms(Ui& ui, const WorkbenchState& state) {
 }
 
 bool Shell::form_open() const {
-  return record_.is_open() || file_.is_open() || video_.is_open() || field_.is_open() || shortcuts_.is_open() ||
-         about_.is_open() || quit_.is_open() || palette_.is_open();
+  return record_.is_open() || file_.is_open() || import_.is_open() || demonstrations_.is_open() || video_.is_open() ||
+         field_.is_open() || shortcuts_.is_open() || about_.is_open() || quit_.is_open() || palette_.is_open();
 }
 
 Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
@@ -261,6 +262,17 @@ Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
   return requests;
 }
 
+Requests Shell::take_dropped(const Ui& ui, const WorkbenchState& state) {
+  if (ui.input().dropped().empty()) return {};
+  const std::filesystem::path path = ui.input().dropped().front();
+  const bool project = path.extension() == ".trocar";
+  const CommandRow& row = command(project ? "file.open" : "file.import");
+  if (!row.reason_now(state).empty()) return {};
+  if (project) return {workbench::Command{workbench::OpenProject{path, false}}};
+  import_.open_on(path);
+  return {};
+}
+
 bool Shell::open_form(UiAction action) {
   const auto opened = [](Form& form) {
     form.open();
@@ -271,6 +283,11 @@ bool Shell::open_form(UiAction action) {
   if (action == UiAction::kShowExportField) return opened(field_);
   if (action == UiAction::kShowShortcuts) return opened(shortcuts_);
   if (action == UiAction::kShowAbout) return opened(about_);
+  if (action == UiAction::kShowExportDemonstrations) return opened(demonstrations_);
+  if (action == UiAction::kShowImport) {
+    import_.open_on({});
+    return true;
+  }
   if (action == UiAction::kNewProject) file_.open_new();
   if (action == UiAction::kOpenProject) file_.open_existing();
   if (action == UiAction::kShowPalette) palette_.open();
@@ -322,6 +339,7 @@ ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz, b
   }
   if (!palette_.is_open()) leave_field_on_tab(ui);
   Requests requests = take_keys(ui, state);
+  append(requests, take_dropped(ui, state));
   if (close_asked) requests.emplace_back(UiAction::kQuit);
   append(requests, draw_host(ui, state, frames_hz));
   append(requests, draw_forms(ui, state));

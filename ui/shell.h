@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "ui/bars.h"
+#include "ui/forms/demonstrations_form.h"
 #include "ui/forms/export_forms.h"
 #include "ui/forms/file_form.h"
 #include "ui/forms/help_forms.h"
+#include "ui/forms/import_form.h"
 #include "ui/forms/quit_form.h"
 #include "ui/forms/record_form.h"
 #include "ui/palette.h"
@@ -54,12 +56,16 @@ class Shell {
   bool open_form(UiAction action);
   void act(UiAction action, const Ui& ui, const WorkbenchState& state, ShellResult& result);
   void resolve(const Requests& requests, const Ui& ui, const WorkbenchState& state, ShellResult& result);
+  /// A project that was dropped is opened, any other file looked at for import.
+  Requests take_dropped(const Ui& ui, const WorkbenchState& state);
   bool form_open() const;
 
   Settings& settings_;
   std::array<std::unique_ptr<Panel>, kPanelCount> panels_;
   RecordForm record_;
   FileForm file_;
+  ImportForm import_;
+  DemonstrationsForm demonstrations_;
   VideoForm video_;
   FieldForm field_;
   ShortcutForm shortcuts_;

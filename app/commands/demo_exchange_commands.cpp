@@ -5,8 +5,8 @@
 #include "app/commands/demo_commands.h"
 #include "engine/core/file.h"
 #include "engine/exchange/exchange.h"
-#include "engine/exchange/findings.h"
-#include "engine/review/review.h"
+#include "engine/exchange/map_presets.h"
+#include "engine/workbench/importing.h"
 
 namespace trocar::app {
 namespace {
@@ -21,13 +21,6 @@ std::string lossy_text(const std::vector<std::string>& lossy) {
   return text;
 }
 
-/// Warnings and errors.
-std::pair<std::size_t, std::size_t> count_problems(const demonstration::Demonstration& document) {
-  const review::Review found = review::Reviewer().make(document);
-  return {review::count_of(found.problems, demonstration::Severity::kWarning),
-          review::count_of(found.problems, demonstration::Severity::kError)};
-}
-
 struct ImportArguments {
   std::string project;
   std::string file;
@@ -37,6 +30,7 @@ struct ImportArguments {
   std::vector<double> offset_mm;
   std::vector<std::string> only;
   std::string map;
+  std::string save_map;
   double rate_hz = 0.0;
   bool dry_run = false;
   int block = demonstration::kUnknownPlace;
@@ -49,7 +43,9 @@ void bind_import(CLI::App& verb, ImportArguments& arguments) {
   verb.add_option("--format", arguments.format, "csv, npy, hdf5 or jigsaws (else guessed from the file's name)");
   verb.add_option("--transcription", arguments.transcription, "Gestures, of JIGSAWS; they become notes");
   verb.add_option("--map", arguments.map,
-                  "Which column of a foreign csv or npy table is what: JSON; --dry-run proposes one");
+                  "Which column of a foreign csv or npy table is what: JSON, or a name that one is kept under; "
+                  "--dry-run proposes one");
+  verb.add_option("--save-map", arguments.save_map, "Keep the map that is used, or proposed, under this name");
   verb.add_option("--offset-mm", arguments.offset_mm, "Where the file's origin is on the board: X,Y,Z")
       ->delimiter(',')
       ->expected(3);
@@ -64,101 +60,108 @@ void bind_import(CLI::App& verb, ImportArguments& arguments) {
 }
 
 /// What the import found and what it has to do without.
-Answer imported_answer(const demonstration::Demonstration& document, const exchange::Imported& imported) {
-  std::vector<std::string> found = exchange::findings(document, spatial::Grid{});
-  found.insert(found.end(), imported.found.begin(), imported.found.end());
-  const auto [warnings, errors] = count_problems(document);
+Answer imported_answer(const demonstration::Demonstration& document, const workbench::ImportPart& part) {
   Answer answer;
   answer.json = demonstration_json(document);
-  answer.json["lossy"] = imported.lossy;
-  answer.json["found"] = found;
-  answer.json["notes"] = imported.notes.size();
-  answer.json["warnings"] = warnings;
-  answer.json["errors"] = errors;
+  answer.json["lossy"] = part.lossy;
+  answer.json["found"] = part.found;
+  answer.json["notes"] = part.notes.size();
+  answer.json["warnings"] = part.warnings;
+  answer.json["errors"] = part.errors;
   answer.summary =
-      fmt::format("{:.2f} s, {} samples{}", document.duration_s(), document.gated().size(), lossy_text(imported.lossy));
-  if (warnings + errors > 0) {
-    answer.summary += fmt::format("; {} and {}", counted(errors, "error"), counted(warnings, "warning"));
+      fmt::format("{:.2f} s, {} samples{}", document.duration_s(), document.gated().size(), lossy_text(part.lossy));
+  if (part.warnings + part.errors > 0) {
+    answer.summary += fmt::format("; {} and {}", counted(part.errors, "error"), counted(part.warnings, "warning"));
   }
-  for (const std::string& sentence : found) answer.text += fmt::format("\nfound: {}", sentence);
+  for (const std::string& sentence : part.found) answer.text += fmt::format("\nfound: {}", sentence);
   return answer;
 }
 
-/// The map that was given, or on a dry run the one that would be proposed, with what is not certain about it.
-Result<std::optional<exchange::ColumnGuess>> map_of(const ImportArguments& arguments, exchange::Format& format) {
-  std::optional<exchange::ColumnGuess> guess;
-  if (!arguments.map.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(const std::string json, read_file(arguments.map, std::size_t{1} << 20));
-    Result<exchange::ColumnMap> map = exchange::column_map_from_json(json);
-    if (!map) return tl::unexpected(std::move(map).error().at(arguments.map));
-    guess = exchange::ColumnGuess{std::move(*map), {}};
-  } else if (arguments.dry_run) {
-    TROCAR_ASSIGN_OR_RETURN(guess, exchange::guess_columns(arguments.file, format));
+/// A map in a file of its own, or one that was kept under a name.
+Result<exchange::ColumnMap> map_from(const std::string& file_or_name) {
+  std::error_code error;
+  const std::filesystem::path folder = exchange::map_preset_folder();
+  const std::vector<std::string> presets = exchange::map_presets(folder);
+  const bool kept = std::find(presets.begin(), presets.end(), file_or_name) != presets.end();
+  if (kept && !std::filesystem::exists(file_or_name, error)) return exchange::load_map_preset(folder, file_or_name);
+  TROCAR_ASSIGN_OR_RETURN(const std::string json, read_file(file_or_name, std::size_t{1} << 20));
+  Result<exchange::ColumnMap> map = exchange::column_map_from_json(json);
+  if (!map) return tl::unexpected(std::move(map).error().at(file_or_name));
+  return map;
+}
+
+Result<workbench::ImportSettings> settings_of(const ImportArguments& arguments) {
+  workbench::ImportSettings settings;
+  settings.path = arguments.file;
+  if (!arguments.format.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(settings.format, exchange::format_from(arguments.format));
   }
-  if (!guess) return guess;
-  if (format == exchange::Format::kJigsaws && arguments.format.empty()) format = exchange::Format::kCsv;
-  if (arguments.rate_hz > 0.0) guess->map.time = {"", "s", arguments.rate_hz};
-  return guess;
+  settings.transcription = arguments.transcription;
+  if (!arguments.map.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(settings.map, map_from(arguments.map));
+  }
+  settings.propose = arguments.dry_run;
+  settings.only = arguments.only;
+  settings.rate_hz = arguments.rate_hz;
+  for (std::size_t i = 0; i < arguments.offset_mm.size(); ++i) settings.p_WF_m[i] = 1e-3 * arguments.offset_mm[i];
+  settings.name = arguments.name;
+  settings.block = arguments.block;
+  settings.goal = arguments.goal;
+  return settings;
 }
 
 /// In place of what a reader says of columns that it does not know.
-Error with_hint(const Error& error, const ImportArguments& arguments, exchange::Format format) {
-  const auto guess = exchange::guess_columns(arguments.file, format);
-  if (!arguments.map.empty() || !guess || !*guess) return error;
+Error with_hint(const Error& error, const workbench::ImportSettings& settings, exchange::Format format) {
+  const auto guess = exchange::guess_columns(settings.path, format);
+  if (settings.map || !guess || !*guess) return error;
   return Error(ErrorCode::kCorrupt,
                "the columns are not those of Trocar; --dry-run proposes a map of them, --map takes it")
-      .at(arguments.file);
+      .at(settings.path.string());
 }
 
-Result<std::vector<exchange::Imported>> read_import(const ImportArguments& arguments, exchange::Format format,
-                                                    const std::optional<exchange::ColumnGuess>& guess,
-                                                    Console& console) {
-  exchange::ImportOptions options;
-  options.transcription = arguments.transcription;
-  options.robomimic = {arguments.only, arguments.rate_hz};
-  if (!arguments.offset_mm.empty()) {
-    options.X_WF.p = 1e-3 * Eigen::Vector3d(arguments.offset_mm[0], arguments.offset_mm[1], arguments.offset_mm[2]);
+Result<std::vector<workbench::ImportPart>> read_parts(const workbench::ImportSettings& settings,
+                                                      const workbench::ImportLayout& layout, Console& console) {
+  Progress progress;
+  auto parts = workbench::parts_of(settings, layout, iso_time(console.clock->unix_s()), progress);
+  if (!parts) return tl::unexpected(with_hint(parts.error(), settings, layout.format));
+  return parts;
+}
+
+/// So that nobody looks for a demonstration under a name that another has.
+void name_parts(std::vector<workbench::ImportPart>& parts, const workbench::Project& project, Console& console) {
+  std::vector<std::string> wanted;
+  for (const workbench::ImportPart& part : parts) wanted.push_back(part.name);
+  workbench::give_free_names(parts, project);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].name == wanted[i]) continue;
+    console.diagnostics.warn(
+        fmt::format("a demonstration is named {} already; this one is named {}", wanted[i], parts[i].name));
   }
-  if (guess) options.map = guess->map;
-  Result<std::vector<exchange::Imported>> read = exchange::import_demonstrations(arguments.file, format, options);
-  if (!read) return tl::unexpected(with_hint(read.error(), arguments, format));
-  std::vector<exchange::Imported>& all = *read;
-  for (exchange::Imported& imported : all) {
-    demonstration::Provenance& provenance = imported.recording.provenance;
-    if (arguments.block != demonstration::kUnknownPlace) provenance.block = arguments.block;
-    if (arguments.goal != demonstration::kUnknownPlace) provenance.goal = arguments.goal;
-    if (provenance.created.empty()) provenance.created = iso_time(console.clock->unix_s());
+}
+
+Result<std::vector<Answer>> add_import(workbench::ProjectFile& file, const workbench::ImportSettings& settings,
+                                       const std::vector<workbench::ImportPart>& parts) {
+  TROCAR_ASSIGN_OR_RETURN(const auto ids, workbench::add_parts(file, settings.path, parts));
+  std::vector<Answer> answers;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Answer answer = imported_answer(*file.project()->demonstrations.at(ids[i]), parts[i]);
+    if (parts[i].warnings + parts[i].errors > 0) answer.summary += ", see `trocar demo check`";
+    answer.text = fmt::format("Demonstration {} ({}): {}{}", ids[i].value, parts[i].name, answer.summary, answer.text);
+    answers.push_back(std::move(answer));
   }
-  return read;
+  return answers;
 }
 
-/// What is asked for, else the file's own name for it, else that of the file.
-std::string wanted_name(const ImportArguments& arguments, const exchange::Imported& imported, std::size_t nth) {
-  const std::string file = std::filesystem::path(arguments.file).stem().string();
-  if (!arguments.name.empty()) return nth == 0 ? arguments.name : fmt::format("{} {}", arguments.name, nth + 1);
-  if (imported.name.empty()) return file;
-  return imported.recording.provenance.operator_kind == "imported" ? fmt::format("{} {}", file, imported.name)
-                                                                   : imported.name;
-}
-
-Result<Answer> add_import(workbench::ProjectFile& file, const exchange::Imported& imported, const std::string& name) {
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.add_recording(imported.recording, name));
-  const demonstration::DemonstrationId added{id};
-  for (const demonstration::AddNote& note : imported.notes) {
-    TROCAR_RETURN_IF_ERROR(file.commit(workbench::EditDemonstration{added, note}));
+std::vector<Answer> show_import(const std::vector<workbench::ImportPart>& parts) {
+  std::vector<Answer> answers;
+  for (const workbench::ImportPart& part : parts) {
+    demonstration::Demonstration named = *part.document;
+    named.name = part.name;
+    Answer answer = imported_answer(named, part);
+    answer.text = fmt::format("{} would be: {}{}", part.name, answer.summary, answer.text);
+    answers.push_back(std::move(answer));
   }
-  Answer answer = imported_answer(*file.project()->demonstrations.at(added), imported);
-  if (answer.json["warnings"] != 0 || answer.json["errors"] != 0) answer.summary += ", see `trocar demo check`";
-  answer.text = fmt::format("Demonstration {} ({}): {}{}", id, name, answer.summary, answer.text);
-  return answer;
-}
-
-Result<Answer> show_import(const exchange::Imported& imported, const std::string& name) {
-  const auto recording = std::make_shared<const demonstration::Recording>(imported.recording);
-  TROCAR_ASSIGN_OR_RETURN(const auto document, demonstration::make_demonstration({}, name, recording));
-  Answer answer = imported_answer(document, imported);
-  answer.text = fmt::format("{} would be: {}{}", name, answer.summary, answer.text);
-  return answer;
+  return answers;
 }
 
 /// One alone is the answer; of several it is a list.
@@ -189,31 +192,26 @@ void show_map(const exchange::ColumnGuess& guess, Answer& answer) {
   answer.text = text + answer.text;
 }
 
-/// A map of columns makes a table of whatever ending.
-Result<exchange::Format> import_format(const ImportArguments& arguments) {
-  Result<exchange::Format> format = format_of(arguments.format, arguments.file);
-  const bool table = !format && arguments.format.empty() && !arguments.map.empty();
-  return table ? Result<exchange::Format>(exchange::Format::kCsv) : format;
-}
-
 Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(exchange::Format format, import_format(arguments));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ImportSettings settings, settings_of(arguments));
   const auto open = arguments.dry_run ? open_to_read : open_to_edit;
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open(arguments.project, console, Models::kDescribed));
-  TROCAR_ASSIGN_OR_RETURN(const std::optional<exchange::ColumnGuess> guess, map_of(arguments, format));
-  TROCAR_ASSIGN_OR_RETURN(const std::vector<exchange::Imported> all, read_import(arguments, format, guess, console));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ImportLayout layout, workbench::layout_of(settings));
+  TROCAR_ASSIGN_OR_RETURN(std::vector<workbench::ImportPart> parts, read_parts(settings, layout, console));
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
-  std::vector<Answer> parts;
-  for (const exchange::Imported& imported : all) {
-    const std::string name =
-        free_demonstration_name(*file.project(), wanted_name(arguments, imported, parts.size()), console);
-    TROCAR_ASSIGN_OR_RETURN(Answer part,
-                            arguments.dry_run ? show_import(imported, name) : add_import(file, imported, name));
-    parts.push_back(std::move(part));
-    TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
+  name_parts(parts, *file.project(), console);
+  std::vector<Answer> answers;
+  if (arguments.dry_run) {
+    answers = show_import(parts);
+  } else {
+    TROCAR_ASSIGN_OR_RETURN(answers, add_import(file, settings, parts));
   }
-  Answer answer = united(std::move(parts), format, arguments.dry_run);
-  if (guess && arguments.map.empty()) show_map(*guess, answer);
+  if (!arguments.save_map.empty() && layout.columns) {
+    TROCAR_RETURN_IF_ERROR(
+        exchange::save_map_preset(exchange::map_preset_folder(), arguments.save_map, layout.columns->map));
+  }
+  Answer answer = united(std::move(answers), layout.format, arguments.dry_run);
+  if (layout.proposed) show_map(*layout.columns, answer);
   return answer;
 }
 

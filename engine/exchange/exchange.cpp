@@ -201,10 +201,14 @@ Status check_export(const Documents& documents, Format format, const Masks& mask
 
 }  // namespace
 
+Result<ExportReport> export_report(const Documents& documents, Format format, const Masks& masks) {
+  TROCAR_RETURN_IF_ERROR(check_export(documents, format, masks));
+  return report_of(documents, format);
+}
+
 Result<ExportReport> export_demonstrations(const Documents& documents, const std::filesystem::path& path, Format format,
                                            const Masks& masks) {
-  TROCAR_RETURN_IF_ERROR(check_export(documents, format, masks));
-  ExportReport report = report_of(documents, format);
+  TROCAR_ASSIGN_OR_RETURN(ExportReport report, export_report(documents, format, masks));
   Result<std::string> compared =
       format == Format::kHdf5 ? write_hdf5(documents, path, masks) : write_text(documents, path, format);
   if (!compared) return tl::unexpected(std::move(compared).error().at(path.string()));

@@ -37,6 +37,10 @@ struct ExportReport {
   std::size_t samples = 0;
 };
 
+/// What would come back of such a file and what is not carried, before anything is written; `reread` is empty.
+/// Errors: those of `export_demonstrations` but kIo.
+Result<ExportReport> export_report(const Documents& documents, Format format, const Masks& masks = {});
+
 /// Writes the gated samples, reads them again and compares; the file is whole and right, or not there.
 /// Errors: kIo, also if what was read again differs; kUnsupported for a format that is read only; kInvalidArgument for
 /// several demonstrations or filter keys where the format has none.

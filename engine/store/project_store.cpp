@@ -187,8 +187,9 @@ Result<std::int64_t> ProjectStore::append(const JournalRow& row) {
   Database& database = impl_->database;
   const auto work = [&]() -> Status {
     TROCAR_RETURN_IF_ERROR(
-        database.run("INSERT INTO journal(parent, time, name, parameters, description) VALUES (?, ?, ?, ?, ?)",
-                     {row.parent, std::string_view(row.time), std::string_view(row.name),
+        database.run("INSERT INTO journal(id, parent, time, name, parameters, description) "
+                     "VALUES (NULLIF(?, 0), ?, ?, ?, ?, ?)",
+                     {row.id, row.parent, std::string_view(row.time), std::string_view(row.name),
                       std::string_view(row.parameters), std::string_view(row.description)}));
     id = database.last_id();
     return set_head(id, {{row.parent, id}});

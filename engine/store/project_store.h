@@ -80,7 +80,8 @@ class ProjectStore {
   Result<std::vector<JournalRow>> journal() const;
   /// The rows after `id`.
   Result<std::vector<JournalRow>> journal_after(std::int64_t id) const;
-  /// Appends with the next id, moves HEAD to it and lets redo lead to it, in one transaction; returns the id.
+  /// Appends with the row's id, or with the next one where that is 0, moves HEAD to it and lets redo lead to it, in one
+  /// transaction; returns the id.
   Result<std::int64_t> append(const JournalRow& row);
   Result<std::int64_t> head() const;
   Status set_head(std::int64_t id);

@@ -19,6 +19,7 @@
 #include "engine/workbench/comparing.h"
 #include "engine/workbench/curves.h"
 #include "engine/workbench/edit.h"
+#include "engine/workbench/import_settings.h"
 #include "engine/workbench/job_view.h"
 
 namespace trocar::workbench {
@@ -181,6 +182,20 @@ struct ExportField {
   std::string slice;  ///< "z=11"; empty: montage.
   std::filesystem::path path;
 };
+/// Reads a file of another program and shows what would come of it; nothing is changed yet.
+struct ReadImport {
+  ImportSettings settings;
+};
+struct EndImport {};
+/// Puts what was last read into the project, as one step.
+struct MakeImport {};
+/// Writes them for other programs, and reads them again.
+struct ExportDemonstrations {
+  std::vector<DemonstrationId> demonstrations;
+  std::filesystem::path path;
+  exchange::Format format = exchange::Format::kCsv;
+  exchange::Masks masks;  ///< Places in `demonstrations` for each filter key.
+};
 struct CancelJob {
   JobId id;
 };
@@ -189,6 +204,7 @@ using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, P
                              SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, SetPlayhead,
                              Play, SetSelection, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize,
                              SetField, SetRollouts, RecordScripted, StopRecording, TrainModel, VerifyReplay,
-                             SimulateDemonstration, FixProblems, ExportVideo, ExportField, CancelJob>;
+                             SimulateDemonstration, FixProblems, ExportVideo, ExportField, ReadImport, EndImport,
+                             MakeImport, ExportDemonstrations, CancelJob>;
 
 }  // namespace trocar::workbench

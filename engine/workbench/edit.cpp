@@ -46,6 +46,34 @@ struct Application {
     return edited;
   }
 
+  Result<Demonstration> imported(const ImportDemonstrations::Part& part, DemonstrationId id) const {
+    TROCAR_RETURN_IF_ERROR(demonstration::check_name(part.name));
+    TROCAR_ASSIGN_OR_RETURN(auto recording, blobs.recording(part.recording));
+    TROCAR_ASSIGN_OR_RETURN(Demonstration made, demonstration::make_demonstration(id, part.name, std::move(recording)));
+    for (std::size_t i = 0; i < part.edits.size(); ++i) {
+      TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(part.edits[i], project, blobs, new_id));
+      const std::int64_t entry = id.value + (static_cast<std::int64_t>(i) << 32);
+      TROCAR_ASSIGN_OR_RETURN(made, demonstration::apply(made, whole, entry));
+    }
+    return made;
+  }
+
+  Result<Project> operator()(const ImportDemonstrations& edit) const {
+    const std::int64_t first = new_id - ids_taken(edit) + 1;
+    if (edit.parts.empty() || first < 1) {
+      return fail(ErrorCode::kInvalidArgument, "an import must bring demonstrations, with a number for each");
+    }
+    Project edited = project;
+    for (std::size_t i = 0; i < edit.parts.size(); ++i) {
+      const DemonstrationId id{first + static_cast<std::int64_t>(i)};
+      TROCAR_ASSIGN_OR_RETURN(Demonstration made, imported(edit.parts[i], id));
+      const bool added =
+          edited.demonstrations.emplace(id, std::make_shared<const Demonstration>(std::move(made))).second;
+      if (!added) return fail(ErrorCode::kCorrupt, fmt::format("there is a demonstration {} already", id.value));
+    }
+    return edited;
+  }
+
   Result<Project> operator()(const RemoveDemonstration& edit) const {
     Project edited = project;
     if (edited.demonstrations.erase(edit.demonstration) == 0) return no_demonstration(edit.demonstration);
@@ -156,6 +184,10 @@ struct Description {
     return found == before.demonstrations.end() ? fmt::format("demonstration {}", id.value) : found->second->name;
   }
   std::string operator()(const AddDemonstration& edit) const { return fmt::format("Add {}", edit.name); }
+  std::string operator()(const ImportDemonstrations& edit) const {
+    if (edit.parts.size() == 1) return fmt::format("Import {}", edit.parts.front().name);
+    return fmt::format("Import {} demonstrations from {}", edit.parts.size(), edit.file);
+  }
   std::string operator()(const RemoveDemonstration& edit) const {
     return fmt::format("Remove {}", name(edit.demonstration));
   }
@@ -235,6 +267,11 @@ Result<DemonstrationEdit> resolved(DemonstrationEdit edit, const Project& before
     TROCAR_RETURN_IF_ERROR(clip_from(*then));
   }
   return edit;
+}
+
+std::int64_t ids_taken(const Edit& edit) {
+  const auto* import = std::get_if<ImportDemonstrations>(&edit);
+  return import == nullptr ? 1 : std::max<std::int64_t>(static_cast<std::int64_t>(import->parts.size()), 1);
 }
 
 std::string_view name_of(const Edit& edit) {

@@ -18,6 +18,19 @@ struct AddDemonstration {
   std::string name;
 };
 
+/// Puts the recordings of one foreign file into the project, as one step. Its journal row takes as many ids as there
+/// are demonstrations: the last has that of the row, those before it the numbers before.
+struct ImportDemonstrations {
+  static constexpr std::string_view kName = "import demonstrations";
+  struct Part {
+    demonstration::RecordingId recording;
+    std::string name;
+    std::vector<demonstration::Edit> edits;  ///< Made on it at once, such as notes from the file.
+  };
+  std::string file;  ///< What people call it.
+  std::vector<Part> parts;
+};
+
 struct RemoveDemonstration {
   static constexpr std::string_view kName = "remove demonstration";
   DemonstrationId demonstration;
@@ -88,9 +101,9 @@ struct RemoveModel {
   ModelId model;
 };
 
-using Edit = std::variant<AddDemonstration, RemoveDemonstration, EditDemonstration, CopyDemonstration,
-                          SplitDemonstration, MoveStackEntry, EnableStackEntry, ReplaceStackEntry, NameStackEntry,
-                          RemoveStackEntry, AddModel, RemoveModel>;
+using Edit = std::variant<AddDemonstration, ImportDemonstrations, RemoveDemonstration, EditDemonstration,
+                          CopyDemonstration, SplitDemonstration, MoveStackEntry, EnableStackEntry, ReplaceStackEntry,
+                          NameStackEntry, RemoveStackEntry, AddModel, RemoveModel>;
 
 /// Where `apply` finds what edits name by id and what never changes: blobs, and the past.
 class BlobSource {
@@ -113,6 +126,9 @@ Result<std::shared_ptr<const Project>> apply(const Project& project, const Edit&
 /// point of the history; those of `clip_of`.
 Result<demonstration::Edit> resolved(demonstration::Edit edit, const Project& before, const BlobSource& blobs,
                                      std::int64_t new_id);
+
+/// How many ids the edit takes: its own journal row's, and those just before it.
+std::int64_t ids_taken(const Edit& edit);
 
 std::string_view name_of(const Edit& edit);
 /// For the history: "Trim Expert 1 to 0.40–12.30 s".

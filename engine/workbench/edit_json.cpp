@@ -24,17 +24,27 @@ struct Printer {
     object["parameters"] = json::parse(demonstration::to_json(edit), nullptr, false);
     return object;
   }
+  static json list_of(const std::vector<demonstration::Edit>& edits) {
+    json list = json::array();
+    for (const demonstration::Edit& each : edits) list.push_back(with_edit(json::object(), each));
+    return list;
+  }
   json operator()(const AddDemonstration& edit) const {
     return {{"recording", edit.recording.value}, {"name", edit.name}};
+  }
+  json operator()(const ImportDemonstrations& edit) const {
+    json parts = json::array();
+    for (const ImportDemonstrations::Part& part : edit.parts) {
+      parts.push_back({{"recording", part.recording.value}, {"name", part.name}, {"edits", list_of(part.edits)}});
+    }
+    return {{"file", edit.file}, {"parts", std::move(parts)}};
   }
   json operator()(const RemoveDemonstration& edit) const { return {{"demonstration", edit.demonstration.value}}; }
   json operator()(const EditDemonstration& edit) const {
     return with_edit({{"demonstration", edit.demonstration.value}}, edit.edit);
   }
   json operator()(const CopyDemonstration& edit) const {
-    json list = json::array();
-    for (const demonstration::Edit& each : edit.edits) list.push_back(with_edit(json::object(), each));
-    return {{"demonstration", edit.demonstration.value}, {"name", edit.name}, {"edits", std::move(list)}};
+    return {{"demonstration", edit.demonstration.value}, {"name", edit.name}, {"edits", list_of(edit.edits)}};
   }
   json operator()(const SplitDemonstration& edit) const {
     return {{"demonstration", edit.demonstration.value}, {"at_s", edit.at_s}, {"name", edit.name}};
@@ -96,18 +106,38 @@ Result<Edit> edit_demonstration(const json& object) {
   return EditDemonstration{DemonstrationId{id}, std::move(edit)};
 }
 
-Result<Edit> copy_demonstration(const json& object) {
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
-  TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(object, "name"));
+Result<std::vector<demonstration::Edit>> edits_at(const json& object) {
   const auto list = object.find("edits");
   if (list == object.end() || !list->is_array()) return corrupt("the parameter edits must be there and be a list");
-  CopyDemonstration copy{DemonstrationId{id}, std::move(name), {}};
+  std::vector<demonstration::Edit> edits;
   for (const json& each : *list) {
     if (!each.is_object()) return corrupt("each of the edits must be a JSON object");
     TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit, inner_edit(each));
-    copy.edits.push_back(std::move(edit));
+    edits.push_back(std::move(edit));
   }
-  return copy;
+  return edits;
+}
+
+Result<Edit> copy_demonstration(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
+  TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(object, "name"));
+  TROCAR_ASSIGN_OR_RETURN(std::vector<demonstration::Edit> edits, edits_at(object));
+  return CopyDemonstration{DemonstrationId{id}, std::move(name), std::move(edits)};
+}
+
+Result<Edit> import_demonstrations(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(std::string file, text_at(object, "file"));
+  const auto parts = object.find("parts");
+  if (parts == object.end() || !parts->is_array()) return corrupt("the parameter parts must be there and be a list");
+  ImportDemonstrations import{std::move(file), {}};
+  for (const json& part : *parts) {
+    if (!part.is_object()) return corrupt("each of the parts must be a JSON object");
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t recording, id_at(part, "recording"));
+    TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(part, "name"));
+    TROCAR_ASSIGN_OR_RETURN(std::vector<demonstration::Edit> edits, edits_at(part));
+    import.parts.push_back({demonstration::RecordingId{recording}, std::move(name), std::move(edits)});
+  }
+  return import;
 }
 
 Result<Edit> split_demonstration(const json& object) {
@@ -155,6 +185,7 @@ Result<Edit> edit_from_json(std::string_view name, std::string_view text) {
   const json object = json::parse(text, nullptr, false);
   if (!object.is_object()) return corrupt("the parameters of an edit must be a JSON object");
   if (name == AddDemonstration::kName) return add_demonstration(object);
+  if (name == ImportDemonstrations::kName) return import_demonstrations(object);
   if (name == EditDemonstration::kName) return edit_demonstration(object);
   if (name == CopyDemonstration::kName) return copy_demonstration(object);
   if (name == SplitDemonstration::kName) return split_demonstration(object);

@@ -190,17 +190,15 @@ Result<std::int64_t> ProjectFile::Impl::commit(const std::function<Result<Edit>(
   const Status done = store.transaction([&]() -> Status {
     TROCAR_RETURN_IF_ERROR(catch_up());
     TROCAR_ASSIGN_OR_RETURN(const Edit edit, prepare());
-    const std::int64_t id = tree.newest() + 1;
+    const std::int64_t id = tree.newest() + ids_taken(edit);
     TROCAR_ASSIGN_OR_RETURN(edited, apply(*project, edit, id, blobs));
-    row = {0,
+    row = {id,
            head,
            iso_time(clock->unix_s()),
            std::string(name_of(edit)),
            to_json(edit),
            said(edit, *project, *edited, id)};
-    TROCAR_ASSIGN_OR_RETURN(row.id, store.append(row));
-    if (row.id == id) return {};
-    return fail(ErrorCode::kCorrupt, "the numbers of the project's history have a gap");
+    return store.append(row).map([](std::int64_t) {});
   });
   TROCAR_RETURN_IF_ERROR(done);
   const std::int64_t id = row.id;
@@ -216,9 +214,13 @@ Result<std::vector<store::RecordingRow>> ProjectFile::Impl::cut_off() const {
   TROCAR_ASSIGN_OR_RETURN(std::vector<store::RecordingRow> rows, store.recordings());
   std::set<std::int64_t> named;
   for (const auto& [node, entry] : entries) {
-    if (entry.name != AddDemonstration::kName) continue;
+    if (entry.name != AddDemonstration::kName && entry.name != ImportDemonstrations::kName) continue;
     const Result<Edit> edit = edit_from_json(entry.name, entry.parameters);
-    if (edit) named.insert(std::get<AddDemonstration>(*edit).recording.value);
+    if (!edit) continue;
+    if (const auto* added = std::get_if<AddDemonstration>(&*edit)) named.insert(added->recording.value);
+    if (const auto* import = std::get_if<ImportDemonstrations>(&*edit)) {
+      for (const ImportDemonstrations::Part& part : import->parts) named.insert(part.recording.value);
+    }
   }
   std::erase_if(rows, [&named](const auto& row) { return row.writer_lives || named.contains(row.id); });
   return rows;
@@ -356,14 +358,27 @@ Result<std::int64_t> ProjectFile::store_model(const ModelEntry& entry) {
   return impl_->store.put_object(kModelKind, encoded.meta, encoded.bytes);
 }
 
-Result<std::int64_t> ProjectFile::add_recording(const demonstration::Recording& recording, const std::string& name) {
-  demonstration::RecordingId id;
-  Result<std::int64_t> node = impl_->commit([&]() -> Result<Edit> {
-    TROCAR_ASSIGN_OR_RETURN(id, store_recording(recording));
-    return AddDemonstration{id, name};
+Result<std::vector<DemonstrationId>> ProjectFile::import_recordings(const std::string& file,
+                                                                    const std::vector<NewRecording>& recordings) {
+  std::vector<demonstration::RecordingId> stored;
+  const Result<std::int64_t> node = impl_->commit([&]() -> Result<Edit> {
+    ImportDemonstrations import{file, {}};
+    for (const NewRecording& each : recordings) {
+      TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId id, store_recording(*each.recording));
+      stored.push_back(id);
+      import.parts.push_back({id, each.name, each.edits});
+    }
+    return import;
   });
-  if (!node) impl_->blobs.forget(id);
-  return node;
+  if (!node) {
+    for (const demonstration::RecordingId id : stored) impl_->blobs.forget(id);
+    return tl::unexpected(node.error());
+  }
+  std::vector<DemonstrationId> ids;
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    ids.push_back(DemonstrationId{*node - static_cast<std::int64_t>(recordings.size() - 1 - i)});
+  }
+  return ids;
 }
 
 Result<std::int64_t> ProjectFile::add_model(const ModelEntry& entry, const Progress& progress) {

@@ -79,10 +79,17 @@ class ProjectFile {
   Result<demonstration::RecordingId> store_recording(const demonstration::Recording& recording);
   /// Stores a trained model; add it with AddModel.
   Result<std::int64_t> store_model(const ModelEntry& entry);
-  /// Both of the above with their edit, in one transaction: all of it is in the project, or nothing. Returns the new
-  /// node's id, which is that of the demonstration or model. Errors: kCancelled if `progress` was cancelled.
-  Result<std::int64_t> add_recording(const demonstration::Recording& recording, const std::string& name);
+  /// The above with its edit, in one transaction: all of it is in the project, or nothing. Returns the new node's id,
+  /// which is that of the model. Errors: kCancelled if `progress` was cancelled.
   Result<std::int64_t> add_model(const ModelEntry& entry, const Progress& progress);
+  /// Likewise all that an import found, as one step; returns the ids of the demonstrations in their order.
+  struct NewRecording {
+    const demonstration::Recording* recording = nullptr;
+    std::string name;
+    std::vector<demonstration::Edit> edits;
+  };
+  Result<std::vector<DemonstrationId>> import_recordings(const std::string& file,
+                                                         const std::vector<NewRecording>& recordings);
 
   Status set_setting(const std::string& key, const std::string& value);
   Result<std::optional<std::string>> setting(const std::string& key) const;

@@ -146,7 +146,7 @@ void Workbench::Impl::poll_recording() {
 }
 
 void Workbench::Impl::poll_jobs() {
-  for (JobRunner* runner : {&opening, &jobs}) {
+  for (JobRunner* runner : {&opening, &reading, &jobs}) {
     for (const JobView& ended : runner->poll()) {
       if (ended.state == JobState::kFailed) log(Severity::kError, ended.title + ": " + ended.message);
       if (ended.state == JobState::kDone && !ended.hidden) log(Severity::kInfo, ended.title + ": " + ended.message);
@@ -162,9 +162,10 @@ Status Workbench::Impl::finish(double limit_s) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(limit_s);
   jobs.cancel_all();
   opening.cancel_all();
+  reading.cancel_all();
   if (recording && !recording->stopping()) recording->stop(true);
   state.play_speed = 0.0;
-  while (recording || jobs.busy() || opening.busy()) {
+  while (recording || jobs.busy() || opening.busy() || reading.busy()) {
     if (std::chrono::steady_clock::now() > deadline) {
       return fail(ErrorCode::kCancelled, "the workbench was still busy when it had to end");
     }
@@ -181,6 +182,7 @@ bool Workbench::Impl::poll() {
   advance_playhead(elapsed_s);
   poll_recording();
   poll_jobs();
+  poll_import();
   if (insight.update()) {
     state.insight = insight.answer();
     dirty = true;
@@ -210,9 +212,10 @@ bool Workbench::poll() {
 }
 
 bool Workbench::busy() const {
-  return impl_->jobs.busy() || impl_->opening.busy() || impl_->recording || impl_->state.play_speed != 0.0 ||
-         impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() || impl_->curves.pending() ||
-         impl_->comparison.pending() || (impl_->view && impl_->view->busy());
+  return impl_->jobs.busy() || impl_->opening.busy() || impl_->reading.busy() || impl_->recording ||
+         impl_->state.play_speed != 0.0 || impl_->insight.pending() || impl_->preview.pending() ||
+         impl_->review.pending() || impl_->curves.pending() || impl_->comparison.pending() ||
+         (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

@@ -50,6 +50,10 @@ struct Workbench::Impl {
   void on(const FixProblems& command);
   void on(const ExportVideo& command);
   void on(const ExportField& command);
+  void on(const ReadImport& command);
+  void on(const EndImport& command);
+  void on(const MakeImport& command);
+  void on(const ExportDemonstrations& command);
   void on(const CancelJob& command);
 
   void log(Severity severity, std::string text);
@@ -87,6 +91,7 @@ struct Workbench::Impl {
   void poll_recording();
   bool poll();
   void poll_jobs();
+  void poll_import();
   Status finish(double limit_s);
 
   Options options;
@@ -107,6 +112,7 @@ struct Workbench::Impl {
   bool dirty = false;
   JobRunner jobs;     // their threads end first
   JobRunner opening;  // a project opens at once, whatever else runs
+  JobRunner reading;  // so does a file that is to be imported
 };
 
 }  // namespace trocar::workbench

@@ -11,6 +11,7 @@
 #include "engine/core/image.h"
 #include "engine/workbench/command.h"
 #include "engine/workbench/edit_preview.h"
+#include "engine/workbench/exporting.h"
 #include "engine/workbench/insight.h"
 #include "engine/workbench/job_view.h"
 #include "engine/workbench/live_runner.h"
@@ -19,6 +20,8 @@
 #include "engine/workbench/reviewing.h"
 
 namespace trocar::workbench {
+
+struct ImportView;
 
 enum class Severity { kInfo, kWarning, kError };
 struct LogLine {
@@ -57,6 +60,11 @@ struct WorkbenchState {
   std::optional<ComparisonSettings> comparing;
   std::shared_ptr<const ComparisonView> comparison;
   bool comparison_pending = false;
+  /// What `ReadImport` found; null until then, of older settings while `import_pending`.
+  std::shared_ptr<const ImportView> import;
+  bool import_pending = false;
+  double import_fraction = 0.0;        ///< 0 … 1, of the reading that is pending.
+  std::optional<ExportView> exported;  ///< The last one of this run of the program.
   GizmoSettings gizmo;
   double playhead_s = 0.0;
   double play_speed = 0.0;             ///< 0: paused.

@@ -126,6 +126,11 @@ Status Driver::type(std::string_view path, std::string_view text) {
   return key("Enter");
 }
 
+Status Driver::drop(std::string_view path) {
+  session_.window().input().push(Dropped{std::string(path)});
+  return frames(2);
+}
+
 Status Driver::key(std::string_view words) {
   TROCAR_ASSIGN_OR_RETURN(const Chord chord, chord_from(words));
   std::vector<Key> held;

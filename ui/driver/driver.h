@@ -27,6 +27,8 @@ class Driver {
   Status wheel(std::string_view path, float steps);
   /// Puts the keyboard into a field, replaces what is there and presses Enter.
   Status type(std::string_view path, std::string_view text);
+  /// Drops a file on the window.
+  Status drop(std::string_view path);
   /// "Ctrl+Shift+T". Errors: kInvalidArgument.
   Status key(std::string_view chord);
 

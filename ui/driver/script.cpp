@@ -15,7 +15,7 @@ struct Verb {
   std::size_t first_number;  ///< Words from here on must be numbers; 0: none.
   std::string_view usage;
 };
-constexpr std::array<Verb, 13> kVerbs{
+constexpr std::array<Verb, 14> kVerbs{
     {{"click", 2, 2, 0, "click LABEL"},
      {"right_click", 2, 2, 0, "right_click LABEL"},
      {"double_click", 2, 2, 0, "double_click LABEL"},
@@ -24,6 +24,7 @@ constexpr std::array<Verb, 13> kVerbs{
      {"wheel", 3, 3, 2, "wheel LABEL STEPS"},
      {"type", 3, 3, 0, "type LABEL TEXT"},
      {"key", 2, 2, 0, "key CHORD"},
+     {"drop", 2, 2, 0, "drop FILE"},
      {"expect", 3, 4, 0, "expect LABEL value TEXT | contains TEXT | enabled | disabled | present | absent"},
      {"wait", 2, 4, 0, "wait idle [SECONDS] | for LABEL [SECONDS]"},
      {"screenshot", 2, 2, 0, "screenshot F.png"},

@@ -1,10 +1,9 @@
-/// Our own file chooser: folders and project files of one folder, and a line to type a path in.
+/// Our own file chooser for projects: folders and project files of one folder, and a line to type a path in.
 #pragma once
 
-#include <filesystem>
 #include <string>
-#include <vector>
 
+#include "ui/forms/file_list.h"
 #include "ui/forms/form.h"
 
 namespace trocar::ui {
@@ -22,19 +21,11 @@ class FileForm final : public Form {
   Requests draw_content(Ui& ui, const WorkbenchState& state) override;
 
  private:
-  struct Entry {
-    std::string name;
-    bool folder = false;
-  };
   void start(bool create);
-  void go_to(const std::filesystem::path& folder);
-  void draw_list(Ui& ui);
   std::string reason() const;
 
   bool create_ = false;
-  std::filesystem::path folder_;
-  std::vector<Entry> entries_;
-  std::string read_error_;
+  FileList list_{{".trocar"}};
   std::string typed_;  ///< File name, or a whole path.
 };
 

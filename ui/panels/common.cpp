@@ -133,6 +133,17 @@ const char* outcome_sign(demonstration::Outcome outcome) {
   return outcome == demonstration::Outcome::kUnfinished ? icon::kClock : icon::kCross;
 }
 
+void sentences(Ui& ui, const char* sign, std::span<const std::string> list, Rgba colour) {
+  for (const std::string& sentence : list) {
+    {
+      const ColourScope tint(ImGuiCol_Text, colour);
+      ImGui::TextUnformatted(sign);
+    }
+    ImGui::SameLine(0.0F, ui.px(8));
+    wrapped_text(ui, sentence, ui.theme().text);
+  }
+}
+
 std::string place_words(int place) {
   return place == demonstration::kUnknownPlace ? "unknown" : std::to_string(place);
 }

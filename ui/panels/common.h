@@ -1,6 +1,8 @@
 /// What several panels draw alike: the states without a project, chips of segments, buttons of commands.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "ui/command_table.h"
@@ -29,6 +31,9 @@ Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome);
 /// "placed", "dropped" …: the outcome in one word; its sign makes it more than a colour.
 std::string outcome_words(const demonstration::Recording& recording);
 const char* outcome_sign(demonstration::Outcome outcome);
+
+/// Each with a sign in front, wrapped.
+void sentences(Ui& ui, const char* sign, std::span<const std::string> list, Rgba colour);
 
 /// A block's or a peg's number, or "unknown".
 std::string place_words(int place);

@@ -186,13 +186,14 @@ void LibraryPanel::draw_demonstrations(Ui& ui, const WorkbenchState& state, bool
   const Scope scope(ui, "Demonstrations");
   small_text(ui, demonstrations_heading(state), ui.theme().text_dim);
   if (list.empty()) {
-    const std::array<EmptyStateAction, 1> actions{
-        {{"Record a transfer…", icon::kRecord, state.live ? "A transfer is being recorded" : "",
-          "Scripted operators in the simulator"}}};
-    if (empty_state(ui, icon::kFilm, "No demonstration yet", "Record one with the scripted operators", actions,
-                    ui.px(170)) == 0) {
-      requests.emplace_back(UiAction::kShowRecord);
-    }
+    const std::string_view busy = state.live ? "A transfer is being recorded" : "";
+    const std::array<EmptyStateAction, 2> actions{
+        {{"Record a transfer…", icon::kRecord, busy, "Scripted operators in the simulator"},
+         {"Import…", icon::kPlus, busy, "Take in a file of another program"}}};
+    const int clicked = empty_state(ui, icon::kFilm, "No demonstration yet",
+                                    "Record one with the scripted operators, or import one", actions, ui.px(170));
+    if (clicked == 0) requests.emplace_back(UiAction::kShowRecord);
+    if (clicked == 1) requests.emplace_back(UiAction::kShowImport);
     return;
   }
   const std::array<const char*, 6> columns{"Name", "Duration", "Samples", "Segments", "Outcome", "Source"};

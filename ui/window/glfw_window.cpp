@@ -106,6 +106,9 @@ void GlfwWindow::listen() {
     if (key > 0 && key < kKeyCount) self(w).input().push(KeyChanged{static_cast<Key>(key), action != GLFW_RELEASE});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned codepoint) { self(w).input().push(Typed{codepoint}); });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    for (int i = 0; i < count; ++i) self(w).input().push(Dropped{paths[i]});
+  });
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { self(w).damaged_ = true; });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { self(w).damaged_ = true; });
 }

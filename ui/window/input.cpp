@@ -114,6 +114,8 @@ void InputQueue::feed(const InputEvent& event, ImGuiIO& io) {
     feed_key(*key, io);
   } else if (const auto* typed = std::get_if<Typed>(&event)) {
     io.AddInputCharacter(typed->codepoint);
+  } else if (const auto* drop = std::get_if<Dropped>(&event)) {
+    dropped_.push_back(drop->path);
   }
 }
 
@@ -122,6 +124,7 @@ int InputQueue::apply(ImGuiIO& io) {
   pressed_.fill(false);
   button_changed_.fill(false);
   button_touched_ = false;
+  dropped_.clear();
   int taken = 0;
   while (!events_.empty() && accept(events_.front())) {
     const InputEvent event = events_.front();

@@ -6,7 +6,10 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace trocar::ui {
 
@@ -84,12 +87,16 @@ struct KeyChanged {
 struct Typed {
   std::uint32_t codepoint = 0;
 };
-using InputEvent = std::variant<MouseMoved, MouseButton, MouseWheel, KeyChanged, Typed>;
+/// A file was dropped on the window.
+struct Dropped {
+  std::string path;
+};
+using InputEvent = std::variant<MouseMoved, MouseButton, MouseWheel, KeyChanged, Typed, Dropped>;
 
 /// Threads: that of the window.
 class InputQueue {
  public:
-  void push(InputEvent event) { events_.push_back(event); }
+  void push(InputEvent event) { events_.push_back(std::move(event)); }
   /// True while events wait for a later frame.
   bool pending() const { return !events_.empty(); }
 
@@ -101,6 +108,8 @@ class InputQueue {
   bool pressed(Key key) const;
   bool down(Key key) const { return down_[index(key)]; }
   Modifiers modifiers() const;
+  /// Dropped on the window in this frame, in order.
+  const std::vector<std::string>& dropped() const { return dropped_; }
 
  private:
   static std::size_t index(Key key) { return static_cast<std::size_t>(key); }
@@ -114,6 +123,7 @@ class InputQueue {
   std::array<bool, kKeyCount> pressed_{};
   std::array<bool, 5> button_changed_{};
   bool button_touched_ = false;
+  std::vector<std::string> dropped_;
 };
 
 /// Tells ImGui which of our keys are its named ones (1.86 only; newer versions get named keys from `apply`).
