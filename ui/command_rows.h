@@ -29,6 +29,7 @@ std::span<const RowData> file_rows();
 std::span<const RowData> undo_rows();
 std::span<const RowData> clipboard_rows();
 std::span<const RowData> edit_rows();
+std::span<const RowData> modify_rows();
 std::span<const RowData> selection_rows();
 std::span<const RowData> review_rows();
 std::span<const RowData> tool_rows();

@@ -38,12 +38,16 @@ struct ShowPanel {
 struct ShowWorkspace {
   Workspace workspace = Workspace::kAuthor;
 };
+/// Opens the form of an edit, at what is selected or where the playhead is.
+struct BeginEdit {
+  demonstration::Edit edit;
+};
 /// Puts words on the clipboard.
 struct CopyText {
   std::string text;
 };
 
-using Request = std::variant<workbench::Command, UiAction, ShowPanel, ShowWorkspace, CopyText>;
+using Request = std::variant<workbench::Command, UiAction, ShowPanel, ShowWorkspace, BeginEdit, CopyText>;
 using Requests = std::vector<Request>;
 
 }  // namespace trocar::ui

@@ -322,6 +322,10 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
     } else if (const auto* workspace = std::get_if<ShowWorkspace>(&request)) {
       maximised_.reset();
       settings_.workspace = workspace->workspace;
+    } else if (const auto* begin = std::get_if<BeginEdit>(&request)) {
+      maximised_.reset();
+      bring_to_front(PanelId::kEdits);
+      panels_[static_cast<std::size_t>(PanelId::kEdits)]->begin_edit(begin->edit, state);
     } else if (const auto* copy = std::get_if<CopyText>(&request)) {
       result.clipboard = copy->text;
     }

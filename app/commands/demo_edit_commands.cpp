@@ -51,8 +51,8 @@ Status check_rename(const workbench::Project& project, demonstration::Demonstrat
 using EditMaker = std::function<Result<std::optional<demonstration::Edit>>(const demonstration::Demonstration&,
                                                                            const workbench::Project&)>;
 
-Result<Answer> commit(const Target& target, Console& console, const EditMaker& edit_of) {
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(target.project, console, Models::kDescribed));
+Result<Answer> commit(const Target& target, Console& console, Models models, const EditMaker& edit_of) {
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(target.project, console, models));
   TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), target.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const std::optional<demonstration::Edit> edit, edit_of(*before, *file.project()));
   if (!edit) return unchanged(*before);
@@ -142,18 +142,34 @@ std::vector<std::string> words_of(const EditArguments& arguments, const demonstr
   return words;
 }
 
+/// A model may be given by name. Errors: those of `find_model`.
+Status find_named_model(EditArguments& arguments, const workbench::Project& project) {
+  const auto model = arguments.options.find("model");
+  if (model == arguments.options.end() || model->second.empty() || model->second == "0") return {};
+  TROCAR_ASSIGN_OR_RETURN(const auto found, find_model(project, model->second));
+  model->second = std::to_string(found->id.value);
+  return {};
+}
+
+/// Models are large; only a bridge that goes as one of them would needs them.
+bool needs_models(const EditArguments& arguments) {
+  const auto shape = arguments.options.find("shape");
+  return shape != arguments.options.end() && shape->second == "policy";
+}
+
 Result<Answer> run_edit(const EditArguments& arguments, Console& console) {
   const bool span_given = arguments.options.contains("from") &&
                           !(arguments.options.at("from").empty() && arguments.options.at("to").empty());
   if (arguments.name == demonstration::Trim::kName && arguments.idle == span_given) {
     return fail(ErrorCode::kInvalidArgument, "trim needs --from, --to or both, or else --idle alone");
   }
-  return commit(*arguments.target, console,
+  return commit(*arguments.target, console, needs_models(arguments) ? Models::kWhole : Models::kDescribed,
                 [&](const demonstration::Demonstration& document,
                     const workbench::Project& project) -> Result<std::optional<demonstration::Edit>> {
                   if (arguments.idle) return demonstration::idle_ends(document);
                   EditArguments found = arguments;
                   TROCAR_RETURN_IF_ERROR(find_source(found, document, project));
+                  TROCAR_RETURN_IF_ERROR(find_named_model(found, project));
                   TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit,
                                           demonstration::edit_from_words(words_of(found, document)));
                   return kept_within(document, std::move(edit));
@@ -243,7 +259,10 @@ std::string stack_text(const demonstration::Demonstration& document) {
 
 Result<Answer> run_stack(const StackArguments& arguments, Console& console) {
   const auto open = arguments.change.empty() ? open_to_read : open_to_edit;
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open(arguments.target.project, console, Models::kDescribed));
+  const bool policy =
+      std::find(arguments.words.begin(), arguments.words.end(), "--shape=policy") != arguments.words.end();
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
+                          open(arguments.target.project, console, policy ? Models::kWhole : Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), arguments.target.demonstration));
   Answer answer;
   if (!arguments.change.empty()) {

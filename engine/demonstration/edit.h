@@ -87,17 +87,22 @@ struct Splice {
 
 enum class Arms : std::uint8_t { kLeft, kRight, kBoth };
 
-enum class BridgeShape : std::uint8_t { kStraight, kMinimumJerk };
+/// Straight on or with minimum jerk; as the learned policy of a model goes; or up, over everything on the board, and
+/// down again, each with minimum jerk.
+enum class BridgeShape : std::uint8_t { kStraight, kMinimumJerk, kPolicy, kOver };
 /// A new motion between two instants, in place of what is there, or of nothing.
 struct Bridge {
   static constexpr std::string_view kName = "bridge";
-  static constexpr std::string_view kHelp = "Replace a span by a straight or minimum-jerk motion between its ends";
+  static constexpr std::string_view kHelp =
+      "Replace a span by a new motion between its ends: straight, smooth, by a policy or over the pegs";
   double from_s = 0.0;
   double to_s = 0.0;
   Arms arms = Arms::kBoth;
   BridgeShape shape = BridgeShape::kMinimumJerk;
-  double peak_speed_m_s = 0.0;         ///< Sets the duration; 0: as long as the span is.
-  std::vector<Eigen::Vector3d> via_m;  ///< p_WT that the left (or only) arm passes, such as a policy's path.
+  double peak_speed_m_s = 0.0;  ///< Sets the duration; 0: as long as the span is.
+  /// p_WT that the left (or only) arm passes. Of a policy: its way, which the workbench finds when the edit is made.
+  std::vector<Eigen::Vector3d> via_m;
+  std::int64_t model = 0;  ///< Whose policy; 0: the newest of the segment at the begin.
 };
 
 /// How a displacement fades with the time from its middle, from 1 to 0.

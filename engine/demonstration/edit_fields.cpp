@@ -26,7 +26,7 @@ std::span<const Word> words_of<Align>() {
 
 template <>
 std::span<const Word> words_of<BridgeShape>() {
-  static constexpr std::array<Word, 2> kWords{"straight", "minimum-jerk"};
+  static constexpr std::array<Word, 4> kWords{"straight", "minimum-jerk", "policy", "over"};
   return kWords;
 }
 

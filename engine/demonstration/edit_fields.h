@@ -16,6 +16,7 @@ struct Field {
   const char* key;
   const char* help;
   bool positional = false;  ///< On a command line its value stands alone, before the options.
+  bool younger = false;     ///< Journals may be without it; then it has its default.
 };
 
 /// The words for the values of an enumeration, by its number.
@@ -101,6 +102,7 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"shape", "Kind of motion"}, edit.shape);
   visitor.field(Field{"peak_speed_m_s", "Sets the duration; 0: as it is"}, edit.peak_speed_m_s);
   visitor.field(Field{"via_m", "Points to pass"}, edit.via_m);
+  visitor.field(Field{"model", "Whose policy; 0: the newest of the segment", false, true}, edit.model);
 }
 template <typename Visitor, Of<MoveTool> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {

@@ -115,8 +115,9 @@ class Reader {
 
   template <typename Value>
   void field(const Field& field, Value& value) {
-    ++count_;
     const auto found = object_.find(field.key);
+    if (found == object_.end() && field.younger) return;
+    ++count_;
     if (found != object_.end() && ValueReader::read(*found, value)) return;
     if (problem_.empty())
       problem_ = fmt::format("the parameter {} must be there and be {}", field.key, KindName::of(value));

@@ -18,6 +18,10 @@ std::shared_ptr<const EditPreview> preview_of(const PreviewRequest& request) {
   if (!request.before) return nullptr;
   auto preview = std::make_shared<EditPreview>();
   preview->before = request.before;
+  if (!request.problem.empty()) {
+    preview->error = request.problem;
+    return preview;
+  }
   Result<demonstration::Demonstration> after = edited(request);
   if (after) {
     preview->difference = demonstration::difference(*request.before, *after);

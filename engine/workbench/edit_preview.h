@@ -14,6 +14,7 @@ struct PreviewRequest {
   std::shared_ptr<const demonstration::Demonstration> before;  ///< Null: nothing is to be shown.
   demonstration::Edit edit;
   std::int64_t entry = 0;  ///< Of the stack, to be replaced; 0: the edit is a new one.
+  std::string problem;     ///< Why it cannot be made at all; empty: nobody knows yet.
 };
 
 struct EditPreview {

@@ -10,6 +10,7 @@
 #include "engine/store/project_store.h"
 #include "engine/workbench/blob_cache.h"
 #include "engine/workbench/model_codec.h"
+#include "engine/workbench/policy_bridge.h"
 #include "engine/workbench/recovery.h"
 
 namespace trocar::workbench {
@@ -189,7 +190,8 @@ Result<std::int64_t> ProjectFile::Impl::commit(const std::function<Result<Edit>(
   ProjectPointer edited;
   const Status done = store.transaction([&]() -> Status {
     TROCAR_RETURN_IF_ERROR(catch_up());
-    TROCAR_ASSIGN_OR_RETURN(const Edit edit, prepare());
+    TROCAR_ASSIGN_OR_RETURN(Edit edit, prepare());
+    TROCAR_ASSIGN_OR_RETURN(edit, with_ways(std::move(edit), *project));
     const std::int64_t id = tree.newest() + ids_taken(edit);
     TROCAR_ASSIGN_OR_RETURN(edited, apply(*project, edit, id, blobs));
     row = {id,
@@ -404,7 +406,9 @@ std::int64_t ProjectFile::size_bytes() const {
   return impl_->store.size_bytes();
 }
 
-Result<demonstration::Edit> ProjectFile::resolved(demonstration::Edit edit) const {
+Result<demonstration::Edit> ProjectFile::resolved(demonstration::Edit edit, DemonstrationId demonstration,
+                                                  std::int64_t entry) const {
+  TROCAR_ASSIGN_OR_RETURN(edit, with_ways(std::move(edit), demonstration, entry, *impl_->project));
   return workbench::resolved(std::move(edit), *impl_->project, impl_->blobs, impl_->tree.newest() + 1);
 }
 

@@ -59,8 +59,10 @@ class ProjectFile {
   /// Applies and commits; returns the new node's id (also the id of what was added). Errors: those of `apply`, also
   /// when another program has taken away what the edit is about.
   Result<std::int64_t> commit(const Edit& edit);
-  /// The edit with what it takes from other demonstrations found, as `commit` would find it now: for previews.
-  Result<demonstration::Edit> resolved(demonstration::Edit edit) const;
+  /// The edit with what it takes from other demonstrations and from models found, as `commit` would find it now: for
+  /// previews. `entry` not 0: it replaces that one of the stack.
+  Result<demonstration::Edit> resolved(demonstration::Edit edit, DemonstrationId demonstration,
+                                       std::int64_t entry = 0) const;
   /// Errors: kInvalidArgument if there is nothing to undo or redo.
   Status undo();
   /// Towards the newest child, or the branch that was last left by undo.

@@ -80,9 +80,10 @@ void Workbench::Impl::on(const GoToHistory& command) {
 
 void Workbench::Impl::on(const PreviewEdit& command) {
   // What cannot be found is missing in the preview too, which says so.
-  const Result<demonstration::Edit> whole =
-      file ? file->resolved(command.edit) : Result<demonstration::Edit>(command.edit);
-  preview.request({demonstration(state.demonstration), whole.value_or(command.edit), command.entry});
+  const Result<demonstration::Edit> whole = file ? file->resolved(command.edit, state.demonstration, command.entry)
+                                                 : Result<demonstration::Edit>(command.edit);
+  const std::string why = whole ? "" : whole.error().text();
+  preview.request({demonstration(state.demonstration), whole.value_or(command.edit), command.entry, why});
   dirty = true;
 }
 

@@ -29,10 +29,12 @@ std::vector<std::string> titles_of_edits() {
   return titles;
 }
 
-/// Where an edit is most likely wanted: over all between the gates, in the middle at the playhead.
-std::string likely(const EditOption& option, const Demonstration& shown, double playhead_s) {
-  if (option.option == "from") return fmt::format("{:.3f}", shown.begin_s);
-  if (option.option == "to") return fmt::format("{:.3f}", shown.end_s);
+/// Where an edit is most likely wanted: over what is selected, else all between the gates; in the middle at the
+/// playhead.
+std::string likely(const EditOption& option, const Demonstration& shown, const WorkbenchState& state) {
+  const double playhead_s = state.playhead_s;
+  if (option.option == "from") return fmt::format("{:.3f}", state.selection ? state.selection->begin_s : shown.begin_s);
+  if (option.option == "to") return fmt::format("{:.3f}", state.selection ? state.selection->end_s : shown.end_s);
   if (option.option == "clip-from") return fmt::format("{:.3f}", shown.begin_s);
   if (option.option == "clip-to") return fmt::format("{:.3f}", shown.end_s);
   if (option.option == "at") return fmt::format("{:.3f}", playhead_s);
@@ -64,10 +66,39 @@ void offer_demonstrations(std::vector<EditOption>& options, const workbench::Pro
   }
 }
 
-Result<Edit> edit_of(std::string_view name, std::vector<EditOption> options) {
+bool names_model(const EditOption& option) {
+  return option.option == "model";
+}
+
+/// Likewise; 0 leaves it to the segment.
+void offer_models(std::vector<EditOption>& options, const workbench::Project& project) {
   for (EditOption& option : options) {
+    if (!names_model(option)) continue;
+    option.choices.push_back(fmt::format("Newest of the segment{}0", kBeforeNumber));
+    if (option.text == "0") option.text = option.choices.back();
+    for (const auto& [id, entry] : project.models) {
+      option.choices.push_back(fmt::format("{}{}{}", entry->name, kBeforeNumber, id.value));
+      if (option.text == std::to_string(id.value)) option.text = option.choices.back();
+    }
+  }
+}
+
+bool goes_by_policy(const std::vector<EditOption>& options) {
+  return std::any_of(options.begin(), options.end(),
+                     [](const EditOption& option) { return option.option == "shape" && option.text == "policy"; });
+}
+
+/// The points of a bridge are found where a policy gives them, and only there is a model of use.
+bool is_of_use(const EditOption& option, bool policy) {
+  return policy ? option.option != "via-mm" : !names_model(option);
+}
+
+Result<Edit> edit_of(std::string_view name, std::vector<EditOption> options) {
+  const bool policy = goes_by_policy(options);
+  for (EditOption& option : options) {
+    if (policy && option.option == "via-mm") option.text.clear();
     const std::size_t at = option.text.rfind(kBeforeNumber);
-    if (names_demonstration(option) && at != std::string::npos) {
+    if ((names_demonstration(option) || names_model(option)) && at != std::string::npos) {
       option.text = option.text.substr(at + kBeforeNumber.size());
     }
   }
@@ -85,6 +116,14 @@ void EditsPanel::begin(const Edit& edit, const workbench::Project& project, cons
   draft_ =
       Draft{shown.id, entry, std::string(demonstration::name_of(edit)), demonstration::options_of(edit), {}, nullptr};
   offer_demonstrations(draft_->options, project, shown.id);
+  offer_models(draft_->options, project);
+}
+
+void EditsPanel::begin_edit(const Edit& edit, const WorkbenchState& state) {
+  const auto shown = selected_demonstration(state);
+  if (shown == nullptr) return;
+  begin(edit, *state.project, *shown, 0);
+  for (EditOption& option : draft_->options) option.text = likely(option, *shown, state);
 }
 
 void EditsPanel::request_preview(Requests& requests) {
@@ -144,7 +183,10 @@ void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& reque
   const auto shown = selected_demonstration(state);
   bool changed = draft_->previewed != shown;
   draft_->previewed = shown;
-  for (EditOption& option : draft_->options) changed |= draw_option(ui, option);
+  const bool policy = goes_by_policy(draft_->options);
+  for (EditOption& option : draft_->options) {
+    if (is_of_use(option, policy)) changed |= draw_option(ui, option);
+  }
   if (changed) request_preview(requests);
   ImGui::Dummy({0.0F, ui.px(2)});
   draw_outcome(ui, state);
@@ -153,16 +195,20 @@ void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& reque
   const bool apply = button(ui, draft_->entry == 0 ? "Apply" : "Change",
                             {.icon = icon::kVerify,
                              .help = "Commit the edit; it can be undone, changed and switched off",
+                             .shortcut = "Enter",
                              .reason = impossible ? "The edit cannot be made as it is" : "",
                              .style = ButtonStyle::kPrimary});
   ImGui::SameLine();
   const bool cancel =
       button(ui, "Cancel", {.help = "Leave everything as it is", .shortcut = "Esc", .style = ButtonStyle::kQuiet});
   if (cancel || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return end(requests);
-  if (apply) commit(requests);
+  // Where no field is typed in and no widget is pressed by it.
+  const bool entered =
+      ui.input().pressed(Key::kEnter) && !ImGui::GetIO().WantTextInput && !ui.focus().shown() && !impossible;
+  if (apply || entered) commit(requests);
 }
 
-void EditsPanel::draw_choice(Ui& ui, const WorkbenchState& state, const Demonstration& shown) {
+void EditsPanel::draw_choice(Ui& ui, const WorkbenchState& state) {
   static const std::vector<std::string> kTitles = titles_of_edits();
   form_label(ui, "New edit");
   combo(ui, "Kind of edit", kind_, kTitles, {.help = "What to do to the demonstration"});
@@ -171,8 +217,7 @@ void EditsPanel::draw_choice(Ui& ui, const WorkbenchState& state, const Demonstr
               {.icon = icon::kPlus, .help = "Set its parameters and see what it does", .reason = why})) {
     return;
   }
-  begin(demonstration::default_edits()[static_cast<std::size_t>(kind_)], *state.project, shown, 0);
-  for (EditOption& option : draft_->options) option.text = likely(option, shown, state.playhead_s);
+  begin_edit(demonstration::default_edits()[static_cast<std::size_t>(kind_)], state);
 }
 
 void EditsPanel::draw_entry(Ui& ui, const WorkbenchState& state, const Demonstration& shown, int place,
@@ -230,7 +275,7 @@ Requests EditsPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (draft_) {
     draw_draft(ui, state, requests);
   } else {
-    draw_choice(ui, state, *shown);
+    draw_choice(ui, state);
   }
   ImGui::Dummy({0.0F, ui.px(6)});
   draw_stack(ui, state, *shown, requests);

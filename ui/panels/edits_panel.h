@@ -15,6 +15,7 @@ namespace trocar::ui {
 class EditsPanel final : public Panel {
  public:
   Requests draw(Ui& ui, const WorkbenchState& state) override;
+  void begin_edit(const demonstration::Edit& edit, const WorkbenchState& state) override;
 
  private:
   /// An edit that is being made; shown in the view as it would be.
@@ -32,7 +33,7 @@ class EditsPanel final : public Panel {
   void draw_stack(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown, Requests& requests);
   void draw_entry(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown, int place,
                   Requests& requests);
-  void draw_choice(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown);
+  void draw_choice(Ui& ui, const WorkbenchState& state);
   bool draw_option(Ui& ui, demonstration::EditOption& option);
   void draw_draft(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_outcome(Ui& ui, const WorkbenchState& state);

@@ -8,15 +8,15 @@
 #include "engine/demonstration/edits/edit_functions.h"
 #include "engine/demonstration/edits/stretch.h"
 #include "engine/demonstration/motion.h"
+#include "engine/peg_board/peg_board.h"
 
 namespace trocar::demonstration {
 namespace {
 
-/// Share of the way at the share `x` of the time, and the peak speed relative to the mean.
-double way(BridgeShape shape, double x) {
-  if (shape == BridgeShape::kStraight) return x;
+double smoothly(double x) {
   return x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);  // Flash and Hogan, 1985
 }
+/// The peak speed relative to the mean.
 double peak_of(BridgeShape shape) {
   return shape == BridgeShape::kStraight ? 1.0 : 1.875;
 }
@@ -30,6 +30,17 @@ class Polyline {
     }
   }
   double length_m() const { return lengths_m_.back(); }
+  /// The share of the way at the share `x` of the time.
+  double way(BridgeShape shape, double x) const {
+    if (shape == BridgeShape::kStraight) return x;
+    if (shape != BridgeShape::kOver || length_m() <= 0.0) return smoothly(x);
+    // To rest at each corner: times share out as lengths do, so that each leg is as fast.
+    const double wanted_m = x * length_m();
+    const auto after = std::upper_bound(lengths_m_.begin() + 1, lengths_m_.end() - 1, wanted_m);
+    const double begin = *(after - 1) / length_m();
+    const double run = *after / length_m() - begin;
+    return run > 0.0 ? begin + run * smoothly(std::clamp((x - begin) / run, 0.0, 1.0)) : begin;
+  }
   Eigen::Vector3d at(double share) const {
     const double wanted_m = share * length_m();
     const auto after = std::upper_bound(lengths_m_.begin() + 1, lengths_m_.end() - 1, wanted_m);
@@ -44,10 +55,24 @@ class Polyline {
   std::vector<double> lengths_m_{0.0};
 };
 
-Polyline line_of(const Sample& from, const Sample& to, std::size_t arm, const std::vector<Eigen::Vector3d>& via) {
+/// Above everything on the board, with a block held and 3 mm to spare.
+double height_over(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  constexpr double kSpare_m = 0.003;
+  const double pegs_m = peg_board::kPegHeight_m + peg_board::kBlockHeight_m + kSpare_m;
+  return std::max({a.z(), b.z(), pegs_m});
+}
+
+Polyline line_of(const Sample& from, const Sample& to, std::size_t arm, const Bridge& edit) {
   std::vector<Eigen::Vector3d> points{measured_tip(from, arm)};
-  points.insert(points.end(), via.begin(), via.end());
-  points.push_back(measured_tip(to, arm));
+  const Eigen::Vector3d end = measured_tip(to, arm);
+  if (edit.shape == BridgeShape::kOver) {
+    const double z_m = height_over(points.front(), end);
+    points.emplace_back(points.front().x(), points.front().y(), z_m);
+    points.emplace_back(end.x(), end.y(), z_m);
+  } else if (arm == indices_of(edit.arms).front()) {
+    points.insert(points.end(), edit.via_m.begin(), edit.via_m.end());
+  }
+  points.push_back(end);
   return Polyline(std::move(points));
 }
 
@@ -60,24 +85,10 @@ Result<std::pair<std::size_t, std::size_t>> ends_of(const Demonstration& documen
   return fail(ErrorCode::kInvalidArgument, "a bridge needs a sample before its begin and one after its end");
 }
 
-}  // namespace
-
-Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit) {
-  TROCAR_ASSIGN_OR_RETURN(const auto ends, ends_of(document, edit));
-  for (const Eigen::Vector3d& point : edit.via_m) {
-    if (!point.allFinite()) return fail(ErrorCode::kInvalidArgument, "a point to pass must be finite");
-  }
-  const auto [first, last] = ends;
-  const Sample from = document.samples[first];
-  const Sample to = document.samples[last];
-  const std::vector<std::size_t> arms = indices_of(edit.arms);
-  std::vector<Polyline> lines;
-  lines.reserve(arms.size());
-  for (const std::size_t arm : arms) {
-    lines.push_back(line_of(from, to, arm, arm == arms.front() ? edit.via_m : std::vector<Eigen::Vector3d>{}));
-  }
+/// In ticks, a whole number of samples. Errors: kInvalidArgument.
+Result<std::int64_t> length_of(const Bridge& edit, const std::vector<Polyline>& lines, std::int64_t as_it_is) {
   constexpr std::int64_t kLongest = 3600 * Tick::kPerSecond;
-  std::int64_t length = to.tick - from.tick;
+  std::int64_t length = as_it_is;
   if (edit.peak_speed_m_s != 0.0) {
     TROCAR_RETURN_IF_ERROR(check_positive(edit.peak_speed_m_s, "the peak speed"));
     double longest_m = 0.0;
@@ -87,24 +98,54 @@ Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit)
     length = std::max<std::int64_t>(std::llround(steps), 1) * kTicksPerSample;
   }
   if (length > kLongest) return fail(ErrorCode::kInvalidArgument, "the bridge would last for more than an hour");
+  return length;
+}
+
+Status check(const Bridge& edit) {
+  if (edit.shape == BridgeShape::kPolicy && edit.via_m.empty()) {
+    return fail(ErrorCode::kInvalidArgument, "a bridge by policy needs the way that the policy goes");
+  }
+  for (const Eigen::Vector3d& point : edit.via_m) {
+    if (!point.allFinite()) return fail(ErrorCode::kInvalidArgument, "a point to pass must be finite");
+  }
+  return {};
+}
+
+/// Puts an arm of `sample` where it is at the share `along` of its way.
+void place_arm(Sample& sample, std::size_t arm, const Sample& from, const Sample& to, const Polyline& line,
+               double along, int block) {
+  const ArmSample& a = from.arms[arm];
+  const ArmSample& b = to.arms[arm];
+  const spatial::Pose now = sample.arms[arm].measured.pose();
+  const Eigen::Quaterniond q = a.measured.pose().q.slerp(along, b.measured.pose().q);
+  displace(sample, arm, line.at(along) - now.p, q * now.q.conjugate(), block);
+  sample.arms[arm].setpoint_jaw_rad = a.setpoint_jaw_rad + along * (b.setpoint_jaw_rad - a.setpoint_jaw_rad);
+  sample.arms[arm].jaw_rad =
+      static_cast<float>(static_cast<double>(a.jaw_rad) + along * static_cast<double>(b.jaw_rad - a.jaw_rad));
+}
+
+}  // namespace
+
+Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit) {
+  TROCAR_ASSIGN_OR_RETURN(const auto ends, ends_of(document, edit));
+  TROCAR_RETURN_IF_ERROR(check(edit));
+  const auto [first, last] = ends;
+  const Sample from = document.samples[first];
+  const Sample to = document.samples[last];
+  const std::vector<std::size_t> arms = indices_of(edit.arms);
+  std::vector<Polyline> lines;
+  lines.reserve(arms.size());
+  for (const std::size_t arm : arms) lines.push_back(line_of(from, to, arm, edit));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t length, length_of(edit, lines, to.tick - from.tick));
   // What the arm that is not bridged does goes on, stretched if need be.
   const std::vector<Sample> before = document.samples.slice(first, last + 1 - first).to_vector();
   TrackReader reader(before);
   std::vector<Sample> made;
   for (std::int64_t tick = kTicksPerSample; tick < length; tick += kTicksPerSample) {
     const double share = static_cast<double>(tick) / static_cast<double>(length);
-    const double along = way(edit.shape, share);
     Sample sample = reader.at(static_cast<double>(from.tick) + share * static_cast<double>(to.tick - from.tick));
     for (std::size_t i = 0; i < arms.size(); ++i) {
-      const std::size_t arm = arms[i];
-      const ArmSample& a = from.arms[arm];
-      const ArmSample& b = to.arms[arm];
-      const spatial::Pose now = sample.arms[arm].measured.pose();
-      const Eigen::Quaterniond q = a.measured.pose().q.slerp(along, b.measured.pose().q);
-      displace(sample, arm, lines[i].at(along) - now.p, q * now.q.conjugate(), document.block);
-      sample.arms[arm].setpoint_jaw_rad = a.setpoint_jaw_rad + along * (b.setpoint_jaw_rad - a.setpoint_jaw_rad);
-      sample.arms[arm].jaw_rad =
-          static_cast<float>(static_cast<double>(a.jaw_rad) + along * static_cast<double>(b.jaw_rad - a.jaw_rad));
+      place_arm(sample, arms[i], from, to, lines[i], lines[i].way(edit.shape, share), document.block);
     }
     sample.tick = from.tick + tick;
     made.push_back(sample);
