@@ -7,6 +7,8 @@
 #include "engine/demonstration/edit_stack.h"
 #include "engine/demonstration/edits.h"
 #include "engine/demonstration/motion.h"
+#include "engine/demonstration/quick_edits.h"
+#include "engine/peg_board/peg_board.h"
 #include "tests/support/document_samples.h"
 #include "tests/support/random_edits.h"
 
@@ -199,6 +201,45 @@ TEST_CASE("a bridge fills the gap that a lift left") {
   const Demonstration lifted = applied(document, DeleteSpan{1.0, 2.0, false});
   const Demonstration bridged = applied(lifted, Bridge{0.995, 2.0, Arms::kBoth, BridgeShape::kMinimumJerk, 0.0, {}});
   CHECK(bridged.samples.size() == document.samples.size());
+}
+
+TEST_CASE("a bridge over the pegs goes up, across and down, and rests at its corners") {
+  const Demonstration document = testing::moving_demonstration(1000);
+  const Demonstration bridged = applied(document, Bridge{1.0, 3.0, Arms::kLeft, BridgeShape::kOver, 0.0, {}});
+  const double over_m = peg_board::kPegHeight_m + peg_board::kBlockHeight_m;
+  const Eigen::Vector3d begin = bridged.sample_at(1.0).arms[0].measured.pose().p;
+  const Eigen::Vector3d end = bridged.sample_at(3.0).arms[0].measured.pose().p;
+  double highest_m = 0.0;
+  for (double t_s = 1.0; t_s <= 3.0; t_s += 0.01) {
+    const Eigen::Vector3d p_WT = bridged.sample_at(t_s).arms[0].measured.pose().p;
+    highest_m = std::max(highest_m, p_WT.z());
+    // Nothing but up or down while it is low.
+    const bool above_begin = (p_WT - begin).head<2>().norm() < 1e-6;
+    const bool above_end = (p_WT - end).head<2>().norm() < 1e-6;
+    CHECK((p_WT.z() > over_m || above_begin || above_end));
+  }
+  CHECK(highest_m > over_m);
+}
+
+TEST_CASE("a bridge of a journal from before there were policies is read") {
+  const auto edit = edit_from_json(
+      "bridge",
+      R"({"from_s": 1.0, "to_s": 2.0, "arms": "left", "shape": "straight", "peak_speed_m_s": 0.0, "via_m": []})");
+  REQUIRE(edit);
+  CHECK(std::get<Bridge>(*edit).model == 0);
+  CHECK_FALSE(edit_from_json("bridge", R"({"from_s": 1.0, "model": 0})"));
+}
+
+TEST_CASE("a gripper that is told to close stays closed until it next does something else") {
+  Demonstration document = testing::moving_demonstration(1000);
+  const SetJaw close = gripper_event(document, Arms::kLeft, 0.5, false);
+  CHECK(close.from_s == 0.5);
+  CHECK(close.jaw_rad == kClosedJaw_rad);
+  CHECK(close.to_s > 0.5);
+  CHECK(close.to_s <= document.end_s);
+  document.segments = {{Segment::kA, 0.0, 1.0}, {Segment::kB, 2.0, 3.0}};
+  CHECK(label_from(document, Segment::kC, 1.2).to_s == 2.0);
+  CHECK(label_from(document, Segment::kC, 3.2).to_s == document.end_s);
 }
 
 TEST_CASE("retiming scales, fits, caps and evens out the speed, and what follows moves along") {
