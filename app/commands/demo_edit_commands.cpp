@@ -259,8 +259,7 @@ std::string stack_text(const demonstration::Demonstration& document) {
 
 Result<Answer> run_stack(const StackArguments& arguments, Console& console) {
   const auto open = arguments.change.empty() ? open_to_read : open_to_edit;
-  const bool policy =
-      std::find(arguments.words.begin(), arguments.words.end(), "--shape=policy") != arguments.words.end();
+  const bool policy = std::find(arguments.words.begin(), arguments.words.end(), "policy") != arguments.words.end();
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
                           open(arguments.target.project, console, policy ? Models::kWhole : Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), arguments.target.demonstration));

@@ -26,7 +26,8 @@ struct PlotArguments {
 void bind_plot(CLI::App& verb, PlotArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("DEMO", arguments.demonstration, "Its id or name")->required();
-  verb.add_option("--curve", arguments.curves, "x, y, z, speed, acceleration, jerk, jaw: one or more, with commas")
+  verb.add_option("--curve", arguments.curves,
+                  "x, y, z, speed, acceleration, jerk, jaw, clearance: one or more, with commas")
       ->delimiter(',')
       ->capture_default_str();
   verb.add_option("--arm", arguments.arm, "left, right or both")
@@ -50,6 +51,7 @@ Result<figure::CurveFigure> figure_of(const PlotArguments& arguments, const demo
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("from {:.3f} to {:.3f} s there is nothing to plot", made.begin_s, made.end_s));
   }
+  review::ClearanceMaker clearance;
   for (const std::string& name : arguments.curves) {
     TROCAR_ASSIGN_OR_RETURN(const CurveKind kind, demonstration::curve_kind_from(name));
     const workbench::CurveLook& look = workbench::look_of(kind);
@@ -57,8 +59,9 @@ Result<figure::CurveFigure> figure_of(const PlotArguments& arguments, const demo
         std::string(look.title), std::string(look.unit), {}, workbench::limits_of(kind), look.from_zero};
     for (int arm = 0; arm < 2; ++arm) {
       if (arguments.arm == (arm == 0 ? "right" : "left")) continue;
-      drawn.lines.push_back(
-          {std::string(workbench::arm_title(arm)), workbench::plotted(shown.samples, shown.first_tick(), kind, arm)});
+      auto curve = kind == CurveKind::kClearance ? workbench::plotted_clearance(shown, arm, clearance)
+                                                 : workbench::plotted(shown.samples, shown.first_tick(), kind, arm);
+      drawn.lines.push_back({std::string(workbench::arm_title(arm)), std::move(curve)});
     }
     made.plots.push_back(std::move(drawn));
   }
@@ -107,8 +110,8 @@ Result<Answer> run_plot(const PlotArguments& arguments, Console& console) {
 }  // namespace
 
 void add_demo_plot_command(CLI::App& noun, Action& chosen) {
-  add_verb<PlotArguments>(noun, chosen, "plot", "Draw position, speed, acceleration, jerk or jaw over time", bind_plot,
-                          run_plot);
+  add_verb<PlotArguments>(noun, chosen, "plot", "Draw position, speed, acceleration, jerk, jaw or clearance over time",
+                          bind_plot, run_plot);
 }
 
 }  // namespace trocar::app

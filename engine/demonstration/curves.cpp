@@ -7,13 +7,15 @@
 #include <string>
 #include <utility>
 
+#include "engine/core/check.h"
 #include "engine/demonstration/motion.h"
 
 namespace trocar::demonstration {
 namespace {
 
-constexpr std::array<std::string_view, kCurveKindCount> kNames{"x", "y", "z", "speed", "acceleration", "jerk", "jaw"};
-constexpr std::array<std::string_view, kCurveKindCount> kUnits{"m", "m", "m", "m/s", "m/s^2", "m/s^3", "rad"};
+constexpr std::array<std::string_view, kCurveKindCount> kNames{"x",    "y",   "z",        "speed", "acceleration",
+                                                               "jerk", "jaw", "clearance"};
+constexpr std::array<std::string_view, kCurveKindCount> kUnits{"m", "m", "m", "m/s", "m/s^2", "m/s^3", "rad", "m"};
 
 class CurveWriter {
  public:
@@ -72,6 +74,7 @@ Result<CurveKind> curve_kind_from(std::string_view text) {
 }
 
 MotionCurve curve_of(const SampleTrack& samples, std::int64_t first_tick, CurveKind kind, std::size_t arm) {
+  TROCAR_CHECK(kind != CurveKind::kClearance);
   CurveWriter writer(kMotionGap_s);
   if (is_motion(kind)) {
     for (const MotionPoint& point : motion_of(samples, first_tick, arm)) writer.add(point.t_s, value_of(point, kind));

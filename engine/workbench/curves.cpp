@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "engine/demonstration/jaw_limits.h"
+#include "engine/demonstration/motion.h"
+#include "engine/review/review.h"
 #include "engine/spatial/units.h"
 
 namespace trocar::workbench {
@@ -18,7 +20,8 @@ constexpr std::array<CurveLook, demonstration::kCurveKindCount> kLooks{{{"x", "m
                                                                         {"Speed", "mm/s", 1e3, true},
                                                                         {"Acceleration", "m/s²", 1.0, true},
                                                                         {"Jerk", "m/s³", 1.0, true},
-                                                                        {"Jaw", "°", kDegreesPerRadian, false}}};
+                                                                        {"Jaw", "°", kDegreesPerRadian, false},
+                                                                        {"Clearance", "mm", 1e3, true}}};
 
 }  // namespace
 
@@ -46,6 +49,8 @@ std::vector<plot::Band> limits_of(CurveKind kind) {
       return below(bounds.jerk_m_s3, "jerk limit");
     case CurveKind::kJaw:
       return {{demonstration::kJawLow_rad * per_si, demonstration::kJawHigh_rad * per_si, "jaw limit"}};
+    case CurveKind::kClearance:
+      return {{review::ReviewOptions().clearance_m * per_si, kInfinite, "least clearance"}};
     case CurveKind::kX:
     case CurveKind::kY:
     case CurveKind::kZ:
@@ -61,6 +66,26 @@ std::shared_ptr<const plot::Curve> plotted(const demonstration::SampleTrack& sam
   demonstration::MotionCurve curve = demonstration::curve_of(samples, first_tick, kind, static_cast<std::size_t>(arm));
   for (double& value : curve.values) value *= look_of(kind).per_si;
   return std::make_shared<const plot::Curve>(std::move(curve.t_s), std::move(curve.values));
+}
+
+std::shared_ptr<const plot::Curve> plotted_clearance(const demonstration::Demonstration& shown, int arm,
+                                                     review::ClearanceMaker& maker) {
+  const review::ClearanceCurve clearance = maker.make(shown);
+  const auto samples = shown.gated();
+  std::vector<double> t_s;
+  std::vector<double> values;
+  t_s.reserve(clearance.size());
+  values.reserve(clearance.size());
+  for (std::size_t i = 0; i < clearance.size(); ++i) {
+    const double now_s = Tick{samples.tick(i) - shown.first_tick()}.seconds();
+    if (!t_s.empty() && now_s - t_s.back() > demonstration::kMotionGap_s) {
+      t_s.push_back(0.5 * (t_s.back() + now_s));
+      values.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+    t_s.push_back(now_s);
+    values.push_back(look_of(CurveKind::kClearance).per_si * clearance[i][static_cast<std::size_t>(arm)].least_m());
+  }
+  return std::make_shared<const plot::Curve>(std::move(t_s), std::move(values));
 }
 
 const ShownCurve* CurveSet::find(CurveKind kind, int arm) const {
@@ -80,6 +105,20 @@ std::shared_ptr<const plot::Curve> CurveMaker::kept_or_made(const demonstration:
   return curve;
 }
 
+void CurveMaker::add_clearance(const CurvesRequest& request, CurveSet& set) {
+  const demonstration::Demonstration& shown = *request.shown;
+  demonstration::Demonstration before = request.before ? *request.before : shown;
+  if (!request.before) before.samples = shown.recorded;
+  const bool changed = before.samples.hash() != shown.samples.hash() && !before.gated().empty();
+  for (int arm = 0; arm < 2; ++arm) {
+    ShownCurve curve{CurveKind::kClearance, arm, nullptr, nullptr};
+    // What was before comes first, so that the newest is what is remembered.
+    if (changed) curve.before = plotted_clearance(before, arm, clearance_);
+    curve.now = plotted_clearance(shown, arm, clearance_);
+    set.curves.push_back(std::move(curve));
+  }
+}
+
 std::shared_ptr<const CurveSet> CurveMaker::make(const CurvesRequest& request) {
   if (request.shown == nullptr) return nullptr;
   auto set = std::make_shared<CurveSet>();
@@ -90,7 +129,7 @@ std::shared_ptr<const CurveSet> CurveMaker::make(const CurvesRequest& request) {
   const std::uint64_t hash_before = before.hash();
   Curves kept;
   for (const CurveKind kind : demonstration::kCurveKinds) {
-    if ((request.kinds & bit(kind)) == 0) continue;
+    if ((request.kinds & bit(kind)) == 0 || kind == CurveKind::kClearance) continue;
     for (int arm = 0; arm < 2; ++arm) {
       ShownCurve curve{kind, arm, nullptr, nullptr};
       curve.now = kept_or_made(shown.samples, hash, shown.first_tick(), kind, arm, kept);
@@ -100,6 +139,7 @@ std::shared_ptr<const CurveSet> CurveMaker::make(const CurvesRequest& request) {
       set->curves.push_back(std::move(curve));
     }
   }
+  if ((request.kinds & bit(CurveKind::kClearance)) != 0) add_clearance(request, *set);
   curves_ = std::move(kept);
   if (checked_ != request.shown) {
     checked_ = request.shown;

@@ -14,6 +14,7 @@
 #include "engine/demonstration/problems.h"
 #include "engine/plot/axis.h"
 #include "engine/plot/curve.h"
+#include "engine/review/clearance.h"
 
 namespace trocar::workbench {
 
@@ -32,9 +33,14 @@ std::vector<plot::Band> limits_of(CurveKind kind);
 /// "Left", "Right".
 std::string_view arm_title(int arm);
 
-/// In shown units, gates or not: what the panel draws and `trocar demo plot` writes.
+/// In shown units, gates or not: what the panel draws and `trocar demo plot` writes. Not of the clearance.
 std::shared_ptr<const plot::Curve> plotted(const demonstration::SampleTrack& samples, std::int64_t first_tick,
                                            CurveKind kind, int arm);
+
+/// The clearance of a tool from all that it could hit, in shown units, between the gates; `maker` remembers what it
+/// worked out.
+std::shared_ptr<const plot::Curve> plotted_clearance(const demonstration::Demonstration& shown, int arm,
+                                                     review::ClearanceMaker& maker);
 
 /// A bit for each kind.
 using CurveKinds = std::uint32_t;
@@ -77,7 +83,10 @@ class CurveMaker {
   std::shared_ptr<const plot::Curve> kept_or_made(const demonstration::SampleTrack& samples, std::uint64_t hash,
                                                   std::int64_t first_tick, CurveKind kind, int arm, Curves& kept) const;
 
+  void add_clearance(const CurvesRequest& request, CurveSet& set);
+
   Curves curves_;
+  review::ClearanceMaker clearance_;
   std::shared_ptr<const demonstration::Demonstration> checked_;
   std::vector<demonstration::Problem> problems_;
 };

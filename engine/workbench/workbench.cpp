@@ -21,6 +21,10 @@ Workbench::Impl::Impl(Options options_in)
         auto maker = std::make_shared<ReviewMaker>();
         return [maker](const ReviewRequest& request) { return maker->make(request); };
       }),
+      preview_review([] {
+        auto maker = std::make_shared<ReviewMaker>();
+        return [maker](const ReviewRequest& request) { return maker->make(request); };
+      }),
       curves([] {
         auto maker = std::make_shared<CurveMaker>();
         return [maker](const CurvesRequest& request) { return maker->make(request); };
@@ -193,6 +197,7 @@ bool Workbench::Impl::poll() {
     dirty = true;
   }
   follow_review();
+  follow_preview_review();
   follow_curves();
   follow_comparison();
   if (view && view->poll(state, now_s)) dirty = true;
@@ -214,8 +219,8 @@ bool Workbench::poll() {
 bool Workbench::busy() const {
   return impl_->jobs.busy() || impl_->opening.busy() || impl_->reading.busy() || impl_->recording ||
          impl_->state.play_speed != 0.0 || impl_->insight.pending() || impl_->preview.pending() ||
-         impl_->review.pending() || impl_->curves.pending() || impl_->comparison.pending() ||
-         (impl_->view && impl_->view->busy());
+         impl_->review.pending() || impl_->preview_review.pending() || impl_->curves.pending() ||
+         impl_->comparison.pending() || (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

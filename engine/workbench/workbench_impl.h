@@ -75,6 +75,7 @@ struct Workbench::Impl {
   std::string description_of(std::int64_t node) const;
   /// Asks for the problems of what is selected, and takes in what was found.
   void follow_review();
+  void follow_preview_review();
   /// The selected one, as an edit that is being made would leave it, if one is.
   std::shared_ptr<const demonstration::Demonstration> shown() const;
   /// Ask for what the state has come to need, and take in what is ready.
@@ -103,6 +104,8 @@ struct Workbench::Impl {
   LatestWorker<PreviewRequest, std::shared_ptr<const EditPreview>> preview;
   LatestWorker<ReviewRequest, std::shared_ptr<const ReviewView>> review;
   ReviewRequest review_wanted;
+  LatestWorker<ReviewRequest, std::shared_ptr<const ReviewView>> preview_review;
+  ReviewRequest preview_review_wanted;
   LatestWorker<CurvesRequest, std::shared_ptr<const CurveSet>> curves;
   LatestWorker<ComparisonRequest, std::shared_ptr<const ComparisonView>> comparison;
   CurvesRequest curves_wanted;

@@ -22,6 +22,20 @@ void Workbench::Impl::follow_review() {
   if (state.simulation && state.simulation->of != wanted.document) state.simulation.reset();
 }
 
+void Workbench::Impl::follow_preview_review() {
+  ReviewRequest wanted;
+  if (state.preview && state.preview->after) wanted = {state.preview->after, model(state.model)};
+  if (wanted != preview_review_wanted) {
+    preview_review_wanted = wanted;
+    preview_review.request(wanted);
+    // What it said of an edit that is no longer made is no news.
+    if (!wanted.document) state.preview_review.reset();
+  }
+  if (!preview_review.update()) return;
+  state.preview_review = wanted.document ? preview_review.answer() : nullptr;
+  dirty = true;
+}
+
 void Workbench::Impl::on(const SimulateDemonstration& command) {
   const auto shown = demonstration(command.demonstration);
   if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", command.demonstration.value));

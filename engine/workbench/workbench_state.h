@@ -50,6 +50,8 @@ struct WorkbenchState {
   /// The problems of the selected demonstration; null until worked out, of an older version while `review_pending`.
   std::shared_ptr<const ReviewView> review;
   bool review_pending = false;
+  /// Likewise of what the edit that is being made would leave; null until worked out.
+  std::shared_ptr<const ReviewView> preview_review;
   /// Of the selected demonstration as it is; nothing before it was asked for.
   std::optional<SimulationView> simulation;
   /// What `ShowCurves` asked for, null until worked out; it may be of an older version while `curves_pending`.

@@ -24,10 +24,11 @@ bool concerns(const Problem& problem, CurveKind kind) {
     case ProblemKind::kNotFinite:
     case ProblemKind::kTime:
       return true;
-    case ProblemKind::kLattice:
-    case ProblemKind::kWorkspace:
     case ProblemKind::kCollision:
     case ProblemKind::kClearance:
+      return kind == CurveKind::kClearance || kind == CurveKind::kX || kind == CurveKind::kY || kind == CurveKind::kZ;
+    case ProblemKind::kLattice:
+    case ProblemKind::kWorkspace:
     case ProblemKind::kJoint:
     case ProblemKind::kSafeSet:
     case ProblemKind::kEnds:
@@ -48,9 +49,17 @@ bool concerns(const Problem& problem, CurveKind kind) {
   return false;
 }
 
-std::vector<PlotSpan> spans_of(const Theme& theme, const CurveSet& set, CurveKind kind) {
+/// Those of the true geometry where they are worked out, else those that the samples alone tell.
+const std::vector<Problem>& problems_of(const WorkbenchState& state, const CurveSet& set) {
+  for (const auto& review : {state.preview_review, state.review}) {
+    if (review && review->of.document == set.of.shown) return review->review.problems;
+  }
+  return set.problems;
+}
+
+std::vector<PlotSpan> spans_of(const Theme& theme, const std::vector<Problem>& problems, CurveKind kind) {
   std::vector<PlotSpan> spans;
-  for (const Problem& problem : set.problems) {
+  for (const Problem& problem : problems) {
     if (!concerns(problem, kind)) continue;
     const bool error = problem.severity == demonstration::Severity::kError;
     const bool warning = problem.severity == demonstration::Severity::kWarning;
@@ -132,7 +141,7 @@ void CurvesPanel::draw_plot(Ui& ui, const WorkbenchState& state, const Demonstra
                             float height, bool time_axis, Requests& requests) {
   const workbench::CurveLook& look = workbench::look_of(kind);
   const std::vector<PlotLine> lines = lines_of(ui.theme(), *state.curves, kind, before_);
-  const std::vector<PlotSpan> spans = spans_of(ui.theme(), *state.curves, kind);
+  const std::vector<PlotSpan> spans = spans_of(ui.theme(), problems_of(state, *state.curves), kind);
   const std::vector<plot::Band> limits = workbench::limits_of(kind);
   PlotSpec spec = timed_plot(*time_, shown, state.playhead_s, cursor_s_);
   spec.label = look.title;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/demonstration/edit_sentence.h"
+#include "engine/review/review.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/common.h"
@@ -109,6 +110,22 @@ std::string name_of_entry(const StackEntry& entry) {
   return entry.name.empty() ? demonstration::title_of(demonstration::name_of(*entry.edit)) : entry.name;
 }
 
+/// "2 errors, 5 warnings; before 3, 5".
+std::string problems_with(const WorkbenchState& state) {
+  using demonstration::Severity;
+  const auto& after = state.preview_review;
+  if (!after || after->of.document != state.preview->after) return "…";
+  const auto counts = [](const workbench::ReviewView& view) {
+    const auto& problems = view.review.problems;
+    return std::pair{review::count_of(problems, Severity::kError), review::count_of(problems, Severity::kWarning)};
+  };
+  const auto [errors, warnings] = counts(*after);
+  std::string words = fmt::format("{} errors, {} warnings", errors, warnings);
+  if (!state.review) return words;
+  const auto [errors_before, warnings_before] = counts(*state.review);
+  return fmt::format("{}; before {}, {}", words, errors_before, warnings_before);
+}
+
 }  // namespace
 
 void EditsPanel::begin(const Edit& edit, const workbench::Project& project, const Demonstration& shown,
@@ -174,6 +191,7 @@ void EditsPanel::draw_outcome(Ui& ui, const WorkbenchState& state) {
   fact(ui, "Longer by", fmt::format("{:+.2f} s", difference.duration_change_s));
   fact(ui, "Moved", count(difference.moved) + " samples");
   fact(ui, "Furthest", fmt::format("{:.2f} mm", 1e3 * difference.max_deviation_m));
+  fact(ui, "Problems", problems_with(state));
 }
 
 void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& requests) {

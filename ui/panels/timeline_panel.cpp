@@ -112,11 +112,11 @@ void TimelinePanel::draw_lane_area(Ui& ui, const WorkbenchState& state, const de
   data_.update(shown, range_, std::max(static_cast<int>(now.lanes.width() / 2.0F), 1));
   ImGui::PushClipRect({now.names.x0, now.ruler.y0}, {item_rect().x1, item_rect().y1}, true);
   draw_ruler(ui, now);
-  // Also while they are worked out anew: most of them stay.
-  const bool reviewed = state.review && state.review->of.document && state.review->of.document->id == shown.id;
-  draw_lanes(
-      ui, now, lanes_, shown, data_,
-      reviewed ? std::span<const review::Problem>(state.review->review.problems) : std::span<const review::Problem>());
+  // Also while they are worked out anew: most of them stay. While an edit is made, those of what it would leave.
+  const auto& review = state.preview && state.preview_review ? state.preview_review : state.review;
+  const bool reviewed = review && review->of.document && review->of.document->id == shown.id;
+  draw_lanes(ui, now, lanes_, shown, data_,
+             reviewed ? std::span<const review::Problem>(review->review.problems) : std::span<const review::Problem>());
   draw_gates(ui, now, mouse_.drag());
   if (state.selection) draw_selection(ui, now, *state.selection);
   if (const auto zoomed = mouse_.zoomed()) draw_zoomed(ui, now, *zoomed);

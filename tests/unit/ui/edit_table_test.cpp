@@ -189,7 +189,7 @@ TEST_CASE("a bridge by policy asks for the model, and by no other way") {
   REQUIRE(desk.last<workbench::CommitEdit>() != nullptr);
   const auto& edit = std::get<workbench::EditDemonstration>(desk.last<workbench::CommitEdit>()->edit).edit;
   CHECK(std::get<demonstration::Bridge>(edit).model == 3);
-  CHECK(command_text(*desk.last<workbench::CommitEdit>(), state).find("--shape=policy") != std::string::npos);
+  CHECK(command_text(*desk.last<workbench::CommitEdit>(), state).find("--shape policy") != std::string::npos);
 }
 
 }  // namespace trocar::ui
