@@ -99,6 +99,7 @@ Status Runner::run(const ScriptLine& line) {
     if (which < 0 || which > 2) return fail(ErrorCode::kInvalidArgument, "a mouse button is 0, 1 or 2");
     return driver_.drag(words[1], word_number(words[2]), word_number(words[3]), which);
   }
+  if (verb == "hold") return driver_.hold(words[1], word_number(words[2]), word_number(words[3]));
   if (verb == "wheel") return driver_.wheel(words[1], word_number(words[2]));
   if (verb == "type") return driver_.type(words[1], words[2]);
   if (verb == "key") return driver_.key(words[1]);

@@ -92,6 +92,11 @@ struct CopyRun {
   DemonstrationId demonstration;
   TimeSpan span;
 };
+/// Shows two instants side by side in the 3-D view, as while an edge in time is dragged; nothing: one again. Beyond the
+/// gates too.
+struct ShowEdges {
+  std::optional<TimeSpan> edges;
+};
 /// Whether what is dragged in time goes to the events near it.
 struct SetSnapping {
   bool on = true;
@@ -202,9 +207,9 @@ struct CancelJob {
 
 using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
                              SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, SetPlayhead,
-                             Play, SetSelection, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize,
-                             SetField, SetRollouts, RecordScripted, StopRecording, TrainModel, VerifyReplay,
-                             SimulateDemonstration, FixProblems, ExportVideo, ExportField, ReadImport, EndImport,
-                             MakeImport, ExportDemonstrations, CancelJob>;
+                             Play, SetSelection, ShowEdges, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset,
+                             SetViewSize, SetField, SetRollouts, RecordScripted, StopRecording, TrainModel,
+                             VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, ReadImport,
+                             EndImport, MakeImport, ExportDemonstrations, CancelJob>;
 
 }  // namespace trocar::workbench

@@ -1,5 +1,6 @@
 #include "engine/workbench/studio.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/figure/field_figure.h"
@@ -15,6 +16,22 @@ Result<Studio> Studio::create() {
 }
 
 Result<Image> Studio::picture(const ViewRequest& request) {
+  if (!request.beside) return one_picture(request);
+  ViewRequest half = request;
+  half.render.width = std::max(request.render.width / 2, 1);
+  TROCAR_ASSIGN_OR_RETURN(const Image left, one_picture(half));
+  half.pose = *request.beside;
+  TROCAR_ASSIGN_OR_RETURN(const Image right, one_picture(half));
+  Image both(2 * left.width, left.height);
+  const std::size_t row = 4 * static_cast<std::size_t>(left.width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(left.height); ++y) {
+    std::copy_n(left.rgba.data() + y * row, row, both.rgba.data() + 2 * y * row);
+    std::copy_n(right.rgba.data() + y * row, row, both.rgba.data() + (2 * y + 1) * row);
+  }
+  return both;
+}
+
+Result<Image> Studio::one_picture(const ViewRequest& request) {
   stage::StageOptions options = request.options;
   options.camera_right = request.camera.X_WC.rotation().col(0);
   scene::Scene scene = stage_->scene(request.pose, {}, request.fields, options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/core/image.h"
@@ -22,6 +23,8 @@ struct ViewRequest {
   stage::StageOptions options;
   scene::Camera camera;
   render::RenderOptions render;
+  std::optional<stage::Pose3d>
+      beside;  ///< Another moment, in the right half of the picture; `pose` is in the left one.
 };
 
 /// Threads: created, used and destroyed in one thread, which holds no other GL context.
@@ -36,6 +39,7 @@ class Studio {
   Studio(std::shared_ptr<const stage::Stage> stage, render::Renderer renderer)
       : stage_(std::move(stage)), renderer_(std::move(renderer)) {}
 
+  Result<Image> one_picture(const ViewRequest& request);
   void show_paths(const std::shared_ptr<const std::vector<stage::PathLayer>>& paths);
 
   std::shared_ptr<const stage::Stage> stage_;

@@ -61,6 +61,12 @@ std::shared_ptr<const demonstration::Demonstration> selected(const WorkbenchStat
   return found == state.project->demonstrations.end() ? nullptr : found->second;
 }
 
+/// The last sample at or before `t_s`, also outside of the gates. Precondition: there are samples.
+demonstration::Sample sample_anywhere(const demonstration::Demonstration& shown, double t_s) {
+  const std::size_t after = shown.samples.lower_bound(shown.tick_after(t_s));
+  return shown.samples[after == 0 ? 0 : after - 1];
+}
+
 }  // namespace
 
 scene::Camera camera_of(const WorkbenchState& state) {
@@ -70,11 +76,11 @@ scene::Camera camera_of(const WorkbenchState& state) {
 ViewDirector::ViewDirector()
     : ready_(ready_stage()), worker_([] {
         auto studio = std::make_shared<Result<Studio>>(Studio::create());
-        return [studio](const ViewRequest& request) -> Answer {
-          if (!*studio) return {nullptr, studio->error().text()};
-          Result<Image> image = (*studio)->picture(request);
-          if (!image) return {nullptr, image.error().text()};
-          return {std::make_shared<const Image>(std::move(*image)), {}};
+        return [studio](const Asked& asked) -> Answer {
+          if (!*studio) return {nullptr, studio->error().text(), {}};
+          Result<Image> image = (*studio)->picture(asked.view);
+          if (!image) return {nullptr, image.error().text(), {}};
+          return {std::make_shared<const Image>(std::move(*image)), {}, asked.edges};
         };
       }) {}
 
@@ -94,7 +100,7 @@ bool ViewDirector::poll(WorkbenchState& state, double now_s) {
     coarse_ = changed;
     request.render.samples = coarse_ ? 1 : 4;
     request.render.soft_shadows = !coarse_;
-    worker_.request(std::move(request));
+    worker_.request({std::move(request), wanted.edges});
     requested_ = wanted;
     requested_at_s_ = now_s;
   }
@@ -103,6 +109,7 @@ bool ViewDirector::poll(WorkbenchState& state, double now_s) {
     const Answer& answer = worker_.answer();
     if (answer.image) {
       state.picture = answer.image;
+      state.picture_edges = answer.edges;
       ++state.picture_number;
     }
     state.picture_error = answer.error;
@@ -119,6 +126,7 @@ ViewDirector::Shown ViewDirector::shown_by(const WorkbenchState& state) const {
   Shown shown;
   shown.demonstration = selected(state).get();
   shown.playhead_s = state.playhead_s;
+  if (!state.live && shown.demonstration != nullptr) shown.edges = state.edges;
   shown.insight = state.insight.get();
   shown.comparison = drawn_comparison(state);
   shown.field = state.field;
@@ -136,7 +144,9 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) {
   if (state.live) {
     request.pose = stage::pose_of(state.live->world);
   } else if (demonstration && !demonstration->gated().empty()) {
-    request.pose = stage::pose_of(demonstration->sample_at(state.playhead_s));
+    request.pose = stage::pose_of(state.edges ? sample_anywhere(*demonstration, state.edges->begin_s)
+                                              : demonstration->sample_at(state.playhead_s));
+    if (state.edges) request.beside = stage::pose_of(sample_anywhere(*demonstration, state.edges->end_s));
     request.options.highlighted_block = demonstration->recording->provenance.block;
   } else {
     request.pose = ready_;

@@ -31,11 +31,13 @@ class ViewDirector {
   struct Answer {
     std::shared_ptr<const Image> image;
     std::string error;
+    std::optional<TimeSpan> edges;  ///< What it shows.
   };
   /// What a picture was made of, to tell whether a new one is needed.
   struct Shown {
     const void* demonstration = nullptr;
     double playhead_s = -1.0;
+    std::optional<TimeSpan> edges;
     const void* insight = nullptr;
     const void* comparison = nullptr;  ///< Null where it is not drawn.
     FieldSettings field;
@@ -62,7 +64,11 @@ class ViewDirector {
   const void* paths_comparison_ = nullptr;
   bool paths_ghosts_ = false;
   std::shared_ptr<const std::vector<stage::PathLayer>> paths_;
-  LatestWorker<ViewRequest, Answer> worker_;
+  struct Asked {
+    ViewRequest view;
+    std::optional<TimeSpan> edges;
+  };
+  LatestWorker<Asked, Answer> worker_;
 };
 
 /// The camera that the state asks for.

@@ -34,6 +34,7 @@ struct Workbench::Impl {
   void on(const SetPlayhead& command);
   void on(const Play& command);
   void on(const SetSelection& command);
+  void on(const ShowEdges& command);
   void on(const CopyRun& command);
   void on(const SetSnapping& command);
   void on(const SetLoop& command);

@@ -71,6 +71,7 @@ struct WorkbenchState {
   double playhead_s = 0.0;
   double play_speed = 0.0;             ///< 0: paused.
   std::optional<TimeSpan> selection;   ///< In time, of the selected demonstration.
+  std::optional<TimeSpan> edges;       ///< What `ShowEdges` asked for.
   std::optional<Clipboard> clipboard;  ///< What can be pasted into any demonstration.
   bool snapping = true;
   Loop loop = Loop::kOff;
@@ -87,6 +88,7 @@ struct WorkbenchState {
   std::shared_ptr<const Image> picture;  ///< The newest 3-D view; null until the first.
   std::uint64_t picture_number = 0;      ///< Changes with each new picture.
   bool picture_pending = false;
+  std::optional<TimeSpan> picture_edges;  ///< The instants that it shows, left and right half; nothing: one alone.
   std::string picture_error;
 
   std::vector<JobView> jobs;  ///< Newest first.

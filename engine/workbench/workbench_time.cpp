@@ -25,6 +25,11 @@ void Workbench::Impl::on(const Play& command) {
   dirty = true;
 }
 
+void Workbench::Impl::on(const ShowEdges& command) {
+  state.edges = command.edges;
+  dirty = true;
+}
+
 void Workbench::Impl::on(const SetSelection& command) {
   const auto shown = demonstration(state.demonstration);
   state.selection = shown && command.span ? kept_within(*shown, *command.span) : std::nullopt;

@@ -93,6 +93,12 @@ Status Driver::press(std::string_view path, int which, int times) {
 }
 
 Status Driver::drag(std::string_view path, float dx, float dy, int which, int frames_of_drag) {
+  TROCAR_RETURN_IF_ERROR(hold(path, dx, dy, which, frames_of_drag));
+  TROCAR_RETURN_IF_ERROR(button(which, false));
+  return step_();
+}
+
+Status Driver::hold(std::string_view path, float dx, float dy, int which, int frames_of_drag) {
   TROCAR_ASSIGN_OR_RETURN(const Item found, ready(path));
   const float x = found.rect.centre_x();
   const float y = found.rect.centre_y();
@@ -102,8 +108,7 @@ Status Driver::drag(std::string_view path, float dx, float dy, int which, int fr
     const float share = static_cast<float>(i) / static_cast<float>(frames_of_drag);
     TROCAR_RETURN_IF_ERROR(move(x + dx * share, y + dy * share));
   }
-  TROCAR_RETURN_IF_ERROR(button(which, false));
-  return step_();
+  return {};
 }
 
 Status Driver::wheel(std::string_view path, float steps) {

@@ -24,6 +24,8 @@ class Driver {
   Status hover(std::string_view path);
   /// From the item's middle by `dx`, `dy` pixels, in `frames` moves.
   Status drag(std::string_view path, float dx, float dy, int button = 0, int frames = 8);
+  /// The same without letting go.
+  Status hold(std::string_view path, float dx, float dy, int button = 0, int frames = 8);
   Status wheel(std::string_view path, float steps);
   /// Puts the keyboard into a field, replaces what is there and presses Enter.
   Status type(std::string_view path, std::string_view text);

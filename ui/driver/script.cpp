@@ -15,12 +15,13 @@ struct Verb {
   std::size_t first_number;  ///< Words from here on must be numbers; 0: none.
   std::string_view usage;
 };
-constexpr std::array<Verb, 14> kVerbs{
+constexpr std::array<Verb, 15> kVerbs{
     {{"click", 2, 2, 0, "click LABEL"},
      {"right_click", 2, 2, 0, "right_click LABEL"},
      {"double_click", 2, 2, 0, "double_click LABEL"},
      {"hover", 2, 2, 0, "hover LABEL"},
      {"drag", 4, 5, 2, "drag LABEL DX DY [BUTTON]"},
+     {"hold", 4, 4, 2, "hold LABEL DX DY"},
      {"wheel", 3, 3, 2, "wheel LABEL STEPS"},
      {"type", 3, 3, 0, "type LABEL TEXT"},
      {"key", 2, 2, 0, "key CHORD"},

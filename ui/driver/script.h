@@ -4,6 +4,7 @@
 ///     click "Library/Record…"
 ///     type "Record/Seed" 7
 ///     drag "Timeline/In gate" 80 0
+///     hold "Timeline/In gate" 80 0             (a drag that is not let go)
 ///     expect "Timeline/Playhead" value 0.500
 ///     expect "Toolbar/Undo" enabled            (disabled, present, absent, contains WORDS)
 ///     key Ctrl+Shift+T

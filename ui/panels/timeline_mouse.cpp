@@ -80,6 +80,7 @@ void TimelineMouse::press(const Ui& ui, const TimelineGround& ground, Drag under
   const ImGuiIO& io = ImGui::GetIO();
   drag_ = io.MouseDown[0] ? under : io.MouseDown[2] ? Drag::kZoom : Drag::kPan;
   moved_ = false;
+  edge_ = false;
   pressed_x_ = io.MousePos.x;
   current_s_ = time_of_mouse(ui, ground);
   anchor_s_ = current_s_;
@@ -96,6 +97,7 @@ void TimelineMouse::press(const Ui& ui, const TimelineGround& ground, Drag under
   const bool nearer_begin = std::abs(current_s_ - selection->begin_s) < std::abs(current_s_ - selection->end_s);
   anchor_s_ = nearer_begin ? selection->end_s : selection->begin_s;
   moved_ = io.KeyShift;
+  edge_ = true;
 }
 
 void TimelineMouse::move(const Ui& ui, const TimelineGround& ground, TimeRange& range, Requests& requests) {
@@ -163,7 +165,21 @@ void TimelineMouse::take_wheel(const TimelineGround& ground, TimeRange& range) c
   range.keep_within(ground.length_s);
 }
 
+std::optional<TimeSpan> TimelineMouse::edges(const TimelineGround& ground) const {
+  if (!moved_) return std::nullopt;
+  if (trims()) return TimeSpan{gate_in_s(ground.shown), gate_out_s(ground.shown)};
+  if (drag_ != Drag::kSelect || !edge_) return std::nullopt;
+  return in_order(anchor_s_, current_s_);
+}
+
 void TimelineMouse::take(Ui& ui, const TimelineGround& ground, bool hovered, TimeRange& range, Requests& requests) {
+  take_drag(ui, ground, hovered, range, requests);
+  const std::optional<TimeSpan> seen = edges(ground);
+  if (seen != ground.state.edges) requests.emplace_back(Command{workbench::ShowEdges{seen}});
+}
+
+void TimelineMouse::take_drag(Ui& ui, const TimelineGround& ground, bool hovered, TimeRange& range,
+                              Requests& requests) {
   const ImGuiIO& io = ImGui::GetIO();
   snapped_s_.reset();
   if (hovered) take_wheel(ground, range);

@@ -42,6 +42,8 @@ class TimelineMouse {
   std::optional<workbench::TimeSpan> zoomed() const;
 
  private:
+  /// What is to be seen side by side: the gates while one is dragged, the ends of the selection while one is.
+  std::optional<workbench::TimeSpan> edges(const TimelineGround& ground) const;
   Drag what_is_at(const Ui& ui, const TimelineGround& ground, ImVec2 mouse) const;
   void show_what_is_under(Ui& ui, Drag under) const;
   void press(const Ui& ui, const TimelineGround& ground, Drag under);
@@ -49,11 +51,13 @@ class TimelineMouse {
   void release(const TimelineGround& ground, TimeRange& range, Requests& requests);
   void cancel(Requests& requests);
   void double_click(const TimelineGround& ground, Requests& requests);
+  void take_drag(Ui& ui, const TimelineGround& ground, bool hovered, TimeRange& range, Requests& requests);
   void take_wheel(const TimelineGround& ground, TimeRange& range) const;
   double time_of_mouse(const Ui& ui, const TimelineGround& ground);
 
   Drag drag_ = Drag::kNone;
   bool moved_ = false;  ///< Far enough to be no click.
+  bool edge_ = false;   ///< An end of the selection is dragged.
   float pressed_x_ = 0.0F;
   double anchor_s_ = 0.0;   ///< The end of the selection or zoom that stays.
   double current_s_ = 0.0;  ///< Where the mouse is in time.

@@ -199,6 +199,23 @@ void ViewPanel::draw_picture(Ui& ui, const WorkbenchState& state, const Rect& re
   list.AddImage(texture, {rect.x0, rect.y0}, {rect.x1, rect.y1}, {0.5F - u, 0.5F - v}, {0.5F + u, 0.5F + v});
 }
 
+// What the halves of the picture are of.
+void ViewPanel::draw_edges(Ui& ui, const workbench::TimeSpan& edges, const Rect& rect) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine({rect.centre_x(), rect.y0}, {rect.centre_x(), rect.y1}, to_u32(ui.theme().line), ui.px(2));
+  const FontScope font(ui.fonts().strong);
+  for (const bool left : {true, false}) {
+    const std::string words = fmt::format("{} {}", left ? "Begin" : "End", seconds(left ? edges.begin_s : edges.end_s));
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    const float middle = left ? 0.5F * (rect.x0 + rect.centre_x()) : 0.5F * (rect.centre_x() + rect.x1);
+    const ImVec2 at{std::round(middle - 0.5F * size.x), rect.y1 - size.y - ui.px(20)};
+    ground(ui, {at.x - ui.px(10), at.y - ui.px(5)}, {at.x + size.x + ui.px(10), at.y + size.y + ui.px(5)});
+    list.AddText(at, to_u32(ui.theme().text), words.c_str());
+    note_rect(ui, "text", left ? "Begin of the cut" : "End of the cut", words,
+              {at.x, at.y, at.x + size.x, at.y + size.y});
+  }
+}
+
 void ViewPanel::draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests) {
   draw_camera_buttons(ui, state, rect, requests);
   draw_layer_buttons(ui, state, rect, requests);
@@ -242,7 +259,12 @@ Requests ViewPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (!gizmo_.take_mouse(ui, state, port, hovered, requests)) take_mouse(ui, state, hovered, requests);
   draw_picture(ui, state, rect);
   const ImVec2 after = ImGui::GetCursorPos();
-  gizmo_.draw(ui, state, port);
+  // Handles belong to one picture.
+  if (state.picture_edges) {
+    draw_edges(ui, *state.picture_edges, rect);
+  } else {
+    gizmo_.draw(ui, state, port);
+  }
   draw_overlays(ui, state, rect, requests);
   ImGui::SetCursorPos(after);
   return requests;

@@ -18,6 +18,7 @@ class ViewPanel final : public Panel {
   void follow_size(ImVec2 size, Requests& requests);
   void take_mouse(Ui& ui, const WorkbenchState& state, bool hovered, Requests& requests);
   void draw_picture(Ui& ui, const WorkbenchState& state, const Rect& rect) const;
+  void draw_edges(Ui& ui, const workbench::TimeSpan& edges, const Rect& rect) const;
   void draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests);
 
   GizmoBar gizmo_bar_;
