@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "engine/core/file.h"
+#include "ui/panels/timeline_lanes.h"
 
 namespace trocar::ui {
 namespace {
@@ -18,6 +19,23 @@ void read_layouts(const Json& json, Settings& settings) {
     if (!json.contains(name)) continue;
     if (Result<Tile> layout = tile_from_json(json[name].dump())) settings.layouts[i] = std::move(*layout);
   }
+}
+
+std::uint32_t lanes_from(const Json& names) {
+  LaneSet hidden;
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    const std::string_view name = name_of(static_cast<Lane>(i));
+    hidden[i] = std::any_of(names.begin(), names.end(), [&](const Json& each) { return each == std::string(name); });
+  }
+  return static_cast<std::uint32_t>(hidden.to_ulong());
+}
+
+Json names_of_lanes(std::uint32_t hidden) {
+  Json names = Json::array();
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    if (LaneSet(hidden)[i]) names.push_back(std::string(name_of(static_cast<Lane>(i))));
+  }
+  return names;
 }
 
 }  // namespace
@@ -50,6 +68,9 @@ Result<Settings> settings_from_json(std::string_view text) {
     settings.window = {std::clamp(json["window"][0].get<int>(), 320, 8192),
                        std::clamp(json["window"][1].get<int>(), 240, 8192)};
   }
+  if (json.contains("hidden_lanes") && json["hidden_lanes"].is_array()) {
+    settings.hidden_lanes = lanes_from(json["hidden_lanes"]);
+  }
   if (json.contains("recent") && json["recent"].is_array()) {
     for (const Json& path : json["recent"]) {
       if (path.is_string() && settings.recent.size() < 8) settings.recent.push_back(path.get<std::string>());
@@ -68,6 +89,7 @@ std::string to_json(const Settings& settings) {
                   {"workspace", static_cast<unsigned>(settings.workspace)},
                   {"layouts", layouts},
                   {"window", {settings.window.width, settings.window.height}},
+                  {"hidden_lanes", names_of_lanes(settings.hidden_lanes)},
                   {"recent", settings.recent}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct Settings {
   std::array<Tile, kWorkspaceCount> layouts{default_layout(Workspace::kLibrary), default_layout(Workspace::kAuthor),
                                             default_layout(Workspace::kFields), default_layout(Workspace::kRollouts)};
   WindowSize window;
+  std::uint32_t hidden_lanes = 0;   ///< Of the timeline, a bit for each `Lane`; by name in the file.
   std::vector<std::string> recent;  ///< Projects, newest first, at most 8.
 
   Tile& layout() { return layouts[static_cast<std::size_t>(workspace)]; }

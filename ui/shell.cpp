@@ -77,8 +77,8 @@ float effective_scale(const Settings& settings, float content_scale) {
 }
 
 Shell::Shell(Settings& settings) : settings_(settings) {
-  const auto time = std::make_shared<SharedTime>();
-  for (std::size_t i = 0; i < kPanelCount; ++i) panels_[i] = make_panel(static_cast<PanelId>(i), time);
+  time_->hidden_lanes = settings_.hidden_lanes;
+  for (std::size_t i = 0; i < kPanelCount; ++i) panels_[i] = make_panel(static_cast<PanelId>(i), time_);
   fronted_[static_cast<std::size_t>(PanelId::kView)] = front_counter_;
 }
 
@@ -349,6 +349,7 @@ ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz, b
   append(requests, draw_forms(ui, state));
   if (!palette_.is_open()) ui.take_focus_keys();
   close_popups_on_escape(ui);
+  settings_.hidden_lanes = time_->hidden_lanes;
   ShellResult result;
   resolve(requests, ui, state, result);
   return result;

@@ -61,6 +61,7 @@ class Shell {
   bool form_open() const;
 
   Settings& settings_;
+  std::shared_ptr<SharedTime> time_ = std::make_shared<SharedTime>();
   std::array<std::unique_ptr<Panel>, kPanelCount> panels_;
   RecordForm record_;
   FileForm file_;

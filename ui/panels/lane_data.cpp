@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "engine/demonstration/motion.h"
+
 namespace trocar::ui {
 namespace {
 
@@ -37,9 +39,14 @@ void LaneData::find_runs(const demonstration::Demonstration& shown) {
   }
   events_ = demonstration::events_within(shown, 0.0, shown.full_duration_s());
   std::erase_if(events_, [](const demonstration::Event& event) { return event.arm < 0; });
+  gaps_.clear();
   jaw_low_ = 0.0F;
   jaw_high_ = 0.1F;
+  double last_s = shown.samples.empty() ? 0.0 : shown.time_of(shown.samples[0]);
   for (const Sample& sample : shown.samples) {
+    const double now_s = shown.time_of(sample);
+    if (now_s - last_s > demonstration::kMotionGap_s) gaps_.push_back({last_s, now_s, 1});
+    last_s = now_s;
     for (const auto& arm : sample.arms) {
       jaw_low_ = std::min(jaw_low_, arm.jaw_rad);
       jaw_high_ = std::max(jaw_high_, arm.jaw_rad);

@@ -38,6 +38,8 @@ class LaneData {
   const std::vector<Extent>& jaw(int arm) const { return jaw_[static_cast<std::size_t>(arm)]; }
   /// What the grippers do, by time.
   const std::vector<demonstration::Event>& events() const { return events_; }
+  /// Where samples are missing, longer than `demonstration::kMotionGap_s`: to be bridged.
+  const std::vector<Run>& gaps() const { return gaps_; }
   /// Where each edit of the stack has worked.
   const std::vector<demonstration::EditSpan>& edits() const { return edits_; }
   /// The segments as they were recorded.
@@ -55,6 +57,7 @@ class LaneData {
   int columns_ = 0;
   std::vector<Run> authority_;
   std::vector<demonstration::Event> events_;
+  std::vector<Run> gaps_;
   std::shared_ptr<const demonstration::EditStack> stack_;
   std::vector<demonstration::EditSpan> edits_;
   std::shared_ptr<const demonstration::Recording> recording_;

@@ -25,6 +25,7 @@ struct SharedTime {
   TimeRange range;
   std::int64_t demonstration = 0;  ///< Of which it is; 0: of none yet.
   double length_s = 0.0;           ///< Of that, when it was last followed.
+  std::uint32_t hidden_lanes = 0;  ///< Of the timeline, a bit for each `Lane`; remembered between runs.
 
   /// Shows the whole of another demonstration than before, and of one that has another length where all of it was
   /// shown; keeps the range within its length.

@@ -109,4 +109,23 @@ void draw_snap(Ui& ui, const LaneLayout& layout, double t_s) {
   list().AddQuad({x - half, y}, {x, y - half}, {x + half, y}, {x, y + half}, to_u32(ui.theme().text), ui.px(2));
 }
 
+void draw_gaps(Ui& ui, const LaneLayout& layout, const std::vector<Run>& gaps) {
+  const Scope scope(ui, "Gaps");
+  int number = 0;
+  for (const Run& gap : gaps) {
+    ++number;
+    const float x0 = std::max(layout.x_of(gap.begin_s), layout.lanes.x0);
+    const float x1 = std::min(std::max(layout.x_of(gap.end_s), x0 + ui.px(2)), layout.lanes.x1);
+    if (x1 <= x0) continue;
+    const Rect rect{x0, layout.lanes.y0, x1, layout.lanes.y1};
+    list().PushClipRect({rect.x0, rect.y0}, {rect.x1, rect.y1}, true);
+    list().AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(ui.theme().danger, 0.12F));
+    for (float x = rect.x0 - rect.height(); x < rect.x1; x += ui.px(9)) {
+      list().AddLine({x, rect.y1}, {x + rect.height(), rect.y0}, to_u32(ui.theme().danger, 0.5F), ui.px(1));
+    }
+    list().PopClipRect();
+    note_rect(ui, "gap", fmt::format("Gap {}", number), seconds(gap.end_s - gap.begin_s), rect);
+  }
+}
+
 }  // namespace trocar::ui

@@ -14,4 +14,7 @@ void draw_playhead(Ui& ui, const LaneLayout& layout, double t_s);
 /// The place that a drag has gone to by itself.
 void draw_snap(Ui& ui, const LaneLayout& layout, double t_s);
 
+/// Hatched over all lanes: samples are missing here.
+void draw_gaps(Ui& ui, const LaneLayout& layout, const std::vector<Run>& gaps);
+
 }  // namespace trocar::ui

@@ -117,6 +117,7 @@ void TimelinePanel::draw_lane_area(Ui& ui, const WorkbenchState& state, const de
   const bool reviewed = review && review->of.document && review->of.document->id == shown.id;
   draw_lanes(ui, now, lanes_, shown, data_,
              reviewed ? std::span<const review::Problem>(review->review.problems) : std::span<const review::Problem>());
+  draw_gaps(ui, now, data_.gaps());
   draw_gates(ui, now, mouse_.drag());
   if (state.selection) draw_selection(ui, now, *state.selection);
   if (const auto zoomed = mouse_.zoomed()) draw_zoomed(ui, now, *zoomed);
@@ -153,7 +154,10 @@ Requests TimelinePanel::draw(Ui& ui, const WorkbenchState& state) {
   const bool escaped = escapes(ui);
   if (escaped && state.selection) requests.emplace_back(Command{workbench::SetSelection{}});
   draw_transport(ui, state, *shown, requests);
-  tools_.draw(ui, state, *shown, lanes_, requests);
+  LaneSet lanes = ~LaneSet(time_->hidden_lanes);
+  tools_.draw(ui, state, *shown, lanes, requests);
+  time_->hidden_lanes = static_cast<std::uint32_t>((~lanes).to_ulong());
+  lanes_ = lanes;
   ImGui::Dummy({0.0F, ui.px(1)});
   draw_lane_area(ui, state, *shown, requests);
   return requests;

@@ -151,6 +151,8 @@ TEST_CASE("settings survive being written and read, and nonsense keeps the defau
   settings.workspace = Workspace::kFields;
   settings.window = {1280, 800};
   settings.recent = {"/a.trocar"};
+  settings.hidden_lanes = 0b100101;
+  CHECK(settings_from_json(to_json(settings)).value().hidden_lanes == 0b100101);
   CHECK(to_json(settings_from_json(to_json(settings)).value()) == to_json(settings));
   CHECK(to_json(settings_from_json(R"({"scale":"big","theme":7,"layouts":[],"window":[1],"workspace":9})").value()) ==
         to_json(Settings{}));
