@@ -11,6 +11,7 @@
 
 #include "engine/demonstration/edit_words.h"
 #include "engine/demonstration/edits.h"
+#include "engine/demonstration/events.h"
 #include "engine/demonstration/jaw_limits.h"
 #include "engine/demonstration/motion.h"
 
@@ -20,6 +21,8 @@ namespace {
 using namespace demonstration;
 
 constexpr double kFarthest_m = 0.020;
+/// From here on a gripper is open.
+constexpr double kCountsAsOpen_rad = 0.3;
 /// What a speed is brought to, of what it may be: a cap that is met to the digit would be one by rounding only.
 constexpr double kBelowBound = 0.9;
 
@@ -91,8 +94,33 @@ std::optional<Edit> label_fix(const Demonstration& document) {
   return ProposeLabels{};
 }
 
+/// A gripper that closes on nothing stays as open as it was until it opens again.
+std::optional<Edit> open_fix(const Demonstration& document, const Problem& problem) {
+  if (problem.end_s > problem.begin_s) return std::nullopt;
+  const auto arm = static_cast<std::size_t>(problem.arm);
+  SetJaw edit;
+  edit.arms = arms_of(problem);
+  edit.from_s = document.begin_s;
+  edit.to_s = document.end_s;
+  edit.ramp_s = 0.0;
+  for (const Sample& sample : document.samples_within(document.begin_s, problem.begin_s)) {
+    const double jaw_rad = sample.arms[arm].setpoint_jaw_rad;
+    if (jaw_rad < kCountsAsOpen_rad) continue;
+    edit.from_s = document.time_of(sample);
+    edit.jaw_rad = jaw_rad;
+  }
+  if (!(edit.jaw_rad > 0.0)) return std::nullopt;
+  for (const Event& event : events_within(document, problem.begin_s, document.end_s)) {
+    if (event.kind != EventKind::kJawOpens || event.arm != problem.arm) continue;
+    edit.to_s = event.t_s;
+    break;
+  }
+  return edit;
+}
+
 std::optional<Edit> jaw_fix(const Demonstration& document, const Problem& problem) {
-  if (problem.severity != Severity::kError || problem.arm < 0) return std::nullopt;
+  if (problem.arm < 0) return std::nullopt;
+  if (problem.severity != Severity::kError) return open_fix(document, problem);
   const Sample sample = document.sample_at(problem.begin_s);
   auto edit = over<SetJaw>(document, problem, 0.0);
   edit.arms = arms_of(problem);
@@ -100,6 +128,44 @@ std::optional<Edit> jaw_fix(const Demonstration& document, const Problem& proble
       std::clamp(sample.arms[static_cast<std::size_t>(problem.arm)].setpoint_jaw_rad, kJawLow_rad, kJawHigh_rad);
   edit.ramp_s = 0.0;
   return edit;
+}
+
+/// From `p_WT` to the nearest point of a safe cell, a little within.
+Eigen::Vector3d way_to_safety(const SegmentGoal& goal, const Eigen::Vector3d& p_WT) {
+  constexpr double kInside_m = 1e-4;
+  const double half_m = 0.5 * goal.grid.cell_m - kInside_m;
+  Eigen::Vector3d way = Eigen::Vector3d::Constant(kFarthest_m);
+  for (std::int32_t i = 0; i < goal.grid.cell_count(); ++i) {
+    if (!goal.safe.contains({i})) continue;
+    const Eigen::Vector3d from_middle = p_WT - goal.grid.centre({i});
+    const Eigen::Vector3d one = from_middle.cwiseMax(-half_m).cwiseMin(half_m) - from_middle;
+    if (one.squaredNorm() < way.squaredNorm()) way = one;
+  }
+  return way;
+}
+
+std::optional<Edit> safe_set_fix(const Demonstration& document, const Problem& problem,
+                                 const std::vector<SegmentGoal>& goals) {
+  constexpr std::size_t kLooks = 20;  // a run is short, and neighbours go the same way
+  const auto goal = std::find_if(goals.begin(), goals.end(), [&](const SegmentGoal& one) {
+    const auto span = document.segment(one.segment);
+    return span && problem.begin_s >= span->begin_s && problem.begin_s < span->end_s;
+  });
+  if (goal == goals.end()) return std::nullopt;
+  const SampleTrack run = document.samples_within(problem.begin_s, problem.end_s);
+  std::vector<Need> needs;
+  Eigen::Vector3d worst{0.0, 0.0, 0.0};
+  double at_s = problem.begin_s;
+  for (std::size_t i = 0; i < run.size(); i += std::max<std::size_t>(run.size() / kLooks, 1)) {
+    const Sample sample = run[i];
+    const Eigen::Vector3d way = way_to_safety(*goal, measured_tip(sample, 0));
+    needs.push_back({document.time_of(sample), way.norm()});
+    if (way.norm() <= worst.norm()) continue;
+    worst = way;
+    at_s = needs.back().t_s;
+  }
+  if (!(worst.norm() > 0.0)) return std::nullopt;
+  return moved_away(0, at_s, worst.normalized(), needs);
 }
 
 std::optional<Edit> lattice_fix(const Demonstration& document, const Problem& problem, const spatial::Grid& grid) {
@@ -136,6 +202,8 @@ std::optional<Edit> fix_of(const Demonstration& document, const ReviewOptions& o
       return bridge_fix(document, problem, options.bounds, 0.0);
     case ProblemKind::kJaw:
       return jaw_fix(document, problem);
+    case ProblemKind::kSafeSet:
+      return safe_set_fix(document, problem, options.goals);
     case ProblemKind::kLattice:
       return lattice_fix(document, problem, options.grid);
     default:

@@ -200,6 +200,53 @@ TEST_CASE("a model's segment must stay in its safe set and end in its goal") {
   CHECK(with(ProblemKind::kSafeSet).size() == 1);
 }
 
+TEST_CASE("a tool that strays from the safe set is led back into it by its fix") {
+  const Demonstration document = transfer(1);
+  const auto span = document.segment(Segment::kA).value();
+  SegmentGoal goal{"Model A", Segment::kA, spatial::Grid{}, spatial::CellSet(spatial::Grid{}), {}};
+  std::vector<spatial::CellIndex> path;
+  for (const Sample& sample : document.samples_in(span)) {
+    if (const auto cell = goal.grid.cell_at(sample.arms[0].measured.pose().p)) path.push_back(*cell);
+  }
+  goal.safe = spatial::cells_within(goal.grid, path, 1);
+  goal.goal = path.back();
+  ReviewOptions options;
+  options.goals = {goal};
+  MoveTool stray;
+  stray.at_s = 0.5 * (span.begin_s + span.end_s);
+  stray.by_m = {0.0, 0.008, 0.0};
+  stray.radius_s = 0.3;
+  const Demonstration strayed = edited(document, stray);
+  const auto strays = of_kind(Reviewer().make(strayed, options).problems, ProblemKind::kSafeSet);
+  REQUIRE_FALSE(strays.empty());
+  REQUIRE(strays[0].fix.starts_with("move "));
+  Demonstration mended = strayed;
+  for (const Edit& edit : fixes_of_all(strayed, options)) mended = edited(mended, edit);
+  CHECK(of_kind(Reviewer().make(mended, options).problems, ProblemKind::kSafeSet).size() < strays.size());
+}
+
+TEST_CASE("a gripper that closes on nothing stays open by its fix") {
+  Demonstration document = transfer(1);
+  SetJaw open;
+  open.arms = Arms::kLeft;
+  open.from_s = 0.2;
+  open.to_s = 0.6;
+  open.jaw_rad = 0.4;
+  SetJaw close = open;
+  close.from_s = 0.6;
+  close.to_s = 0.9;
+  close.jaw_rad = 0.0;
+  document = edited(edited(document, open), close);
+  const auto found = of_kind(problems_of(document), ProblemKind::kJaw);
+  const auto nothing = std::find_if(found.begin(), found.end(), [](const Problem& each) {
+    return each.message.find("closes on nothing") != std::string::npos;
+  });
+  REQUIRE(nothing != found.end());
+  REQUIRE(nothing->fix.starts_with("jaw "));
+  const Demonstration mended = fixed(document, *nothing);
+  CHECK(of_kind(problems_of(mended), ProblemKind::kJaw).size() < found.size());
+}
+
 TEST_CASE("a transfer to another peg than it says ends elsewhere") {
   Demonstration document = transfer(1);
   CHECK(of_kind(problems_of(document), ProblemKind::kEnds).empty());
