@@ -131,6 +131,13 @@ Status Driver::type(std::string_view path, std::string_view text) {
   return key("Enter");
 }
 
+Status Driver::modifier(std::string_view name, bool down) {
+  if (name == "Ctrl") return key_event(Key::kLeftControl, down);
+  if (name == "Shift") return key_event(Key::kLeftShift, down);
+  if (name == "Alt") return key_event(Key::kLeftAlt, down);
+  return fail(ErrorCode::kInvalidArgument, fmt::format("{} is neither Ctrl, Shift nor Alt", in_quotes(name)));
+}
+
 Status Driver::drop(std::string_view path) {
   session_.window().input().push(Dropped{std::string(path)});
   return frames(2);

@@ -34,6 +34,9 @@ class Driver {
   /// "Ctrl+Shift+T". Errors: kInvalidArgument.
   Status key(std::string_view chord);
 
+  /// Ctrl, Shift or Alt, for what is done until it is let go. Errors: kInvalidArgument.
+  Status modifier(std::string_view name, bool down);
+
   Result<Item> item(std::string_view path) const;
   Status expect_value(std::string_view path, std::string_view value) const;
   Status expect_contains(std::string_view path, std::string_view part) const;

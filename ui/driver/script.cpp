@@ -15,7 +15,7 @@ struct Verb {
   std::size_t first_number;  ///< Words from here on must be numbers; 0: none.
   std::string_view usage;
 };
-constexpr std::array<Verb, 15> kVerbs{
+constexpr std::array<Verb, 17> kVerbs{
     {{"click", 2, 2, 0, "click LABEL"},
      {"right_click", 2, 2, 0, "right_click LABEL"},
      {"double_click", 2, 2, 0, "double_click LABEL"},
@@ -25,6 +25,8 @@ constexpr std::array<Verb, 15> kVerbs{
      {"wheel", 3, 3, 2, "wheel LABEL STEPS"},
      {"type", 3, 3, 0, "type LABEL TEXT"},
      {"key", 2, 2, 0, "key CHORD"},
+     {"press", 2, 2, 0, "press Ctrl | Shift | Alt"},
+     {"release", 2, 2, 0, "release Ctrl | Shift | Alt"},
      {"drop", 2, 2, 0, "drop FILE"},
      {"expect", 3, 4, 0, "expect LABEL value TEXT | contains TEXT | enabled | disabled | present | absent"},
      {"wait", 2, 4, 0, "wait idle [SECONDS] | for LABEL [SECONDS]"},
