@@ -21,7 +21,8 @@ class Story(CommandLineTest):
         return self.answer("info", project)["hash"]
 
     def errors(self, project):
-        return self.answer("demo", "check", project, "Expert")["errors"]
+        problems = self.answer("demo", "check", project, "Expert")["problems"]
+        return sum(problem["severity"] == "error" for problem in problems)
 
     def author(self, script):
         """Runs the script; what it did is in the history, and undone step by step gives what was recorded."""
