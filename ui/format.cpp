@@ -39,6 +39,10 @@ std::string count(std::int64_t value) {
   return text;
 }
 
+std::string counted(std::size_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
 std::string millimetres(double metres) {
   return number(spatial::to_mm(metres)) + " mm";
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace trocar::ui {
 
@@ -15,6 +16,8 @@ std::string elapsed(double s);
 std::string time_code(double s);
 /// "2,480"
 std::string count(std::int64_t number);
+/// "1 error", "2 errors"
+std::string counted(std::size_t number, std::string_view noun);
 /// "12.50 mm"
 std::string millimetres(double metres);
 /// "73 %", one decimal below 10 unless whole; "–" of nothing.

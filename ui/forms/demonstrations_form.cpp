@@ -113,7 +113,7 @@ Requests DemonstrationsForm::draw_content(Ui& ui, const WorkbenchState& state) {
   }
   form_label(ui, "File");
   text_field(ui, "File", path_, "out.csv");
-  const float below = 3.0F * ImGui::GetFrameHeightWithSpacing();
+  const float below = (asked_ ? 2.0F : 1.0F) * ImGui::GetFrameHeightWithSpacing() + ui.px(4);
   ImGui::BeginChild("what", {0.0F, std::max(ImGui::GetContentRegionAvail().y - below, ui.px(90))});
   draw_list(ui, state);
   draw_report(ui, state);

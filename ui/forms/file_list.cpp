@@ -47,6 +47,7 @@ void FileList::go_to(const std::filesystem::path& folder) {
 }
 
 bool FileList::draw_rows(Ui& ui, std::string& typed, std::filesystem::path& next) {
+  const Scope scope(ui, "Files");
   bool picked = false;
   const auto row = [&](std::string_view name, const char* sign, bool selected) {
     const ImVec2 at = ImGui::GetCursorPos();
@@ -83,7 +84,6 @@ bool FileList::draw(Ui& ui, std::string& typed, std::string_view none, float bel
   }
   const ColourScope ground(ImGuiCol_ChildBg, ui.theme().panel);
   ImGui::BeginChild("files", {0.0F, std::max(ImGui::GetContentRegionAvail().y - below, ui.px(90))});
-  const Scope scope(ui, "Files");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0.0F});
   std::filesystem::path next;
   const bool picked = draw_rows(ui, typed, next);

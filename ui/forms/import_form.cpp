@@ -208,7 +208,7 @@ void ImportForm::draw_part(Ui& ui, const ImportView& view, float height) {
   fact(ui, "Duration", seconds(part.document->duration_s()));
   fact(ui, "Samples", count(static_cast<std::int64_t>(part.document->gated().size())));
   fact(ui, "Notes", count(static_cast<std::int64_t>(part.notes.size())));
-  fact(ui, "Problems", fmt::format("{} errors, {} warnings", part.errors, part.warnings));
+  fact(ui, "Problems", counted(part.errors, "error") + ", " + counted(part.warnings, "warning"));
   heading(ui, "Found, and left as it is");
   sentences(ui, icon::kInfo, part.found, ui.theme().accent);
   if (!part.lossy.empty()) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/peg_board/peg_board.h"
+#include "ui/widgets/plot.h"
 
 namespace trocar::ui {
 namespace {
@@ -77,10 +78,8 @@ void PathPreview::draw_view(Ui& ui, std::string_view label, int across, int up, 
                                (rect.height() - 2.0F * margin) / static_cast<float>(extent[up]));
   const Projection to{across, up, scale, {rect.centre_x(), rect.centre_y()}, 0.5 * (low_ + high_)};
   draw_board(list, to, theme);
-  const std::array<Rgba, 2> colours{segment_colour(demonstration::Segment::kB),
-                                    segment_colour(demonstration::Segment::kA)};
   for (std::size_t arm = 0; arm < paths_.size(); ++arm) {
-    const ImU32 colour = to_u32(theme.dark ? colours[arm] : mix(colours[arm], theme.text, 0.25F));
+    const ImU32 colour = to_u32(arm_colour(theme, static_cast<int>(arm)));
     std::vector<ImVec2> points;
     points.reserve(paths_[arm].size());
     for (const Eigen::Vector3d& p_WT : paths_[arm]) points.push_back(to.at(p_WT));
@@ -89,8 +88,13 @@ void PathPreview::draw_view(Ui& ui, std::string_view label, int across, int up, 
     list.AddCircleFilled(points.front(), ui.px(3), colour);
     list.AddText({points.front().x + ui.px(5), points.front().y - ui.px(8)}, to_u32(theme.text), arm == 0 ? "L" : "R");
   }
-  ImGui::PopClipRect();
   const std::string value = fmt::format("{:.0f} × {:.0f} mm", 1e3 * extent[across], 1e3 * extent[up]);
+  {
+    const FontScope font(ui.fonts().small);
+    const std::string words = fmt::format("{}, {}", label, value);
+    list.AddText({rect.x0 + ui.px(8), rect.y0 + ui.px(5)}, to_u32(theme.text_dim), words.c_str());
+  }
+  ImGui::PopClipRect();
   note_rect(ui, "picture", label, value, rect);
 }
 

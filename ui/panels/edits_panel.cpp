@@ -120,7 +120,7 @@ std::string problems_with(const WorkbenchState& state) {
     return std::pair{review::count_of(problems, Severity::kError), review::count_of(problems, Severity::kWarning)};
   };
   const auto [errors, warnings] = counts(*after);
-  std::string words = fmt::format("{} errors, {} warnings", errors, warnings);
+  const std::string words = counted(errors, "error") + ", " + counted(warnings, "warning");
   if (!state.review) return words;
   const auto [errors_before, warnings_before] = counts(*state.review);
   return fmt::format("{}; before {}, {}", words, errors_before, warnings_before);

@@ -35,10 +35,6 @@ SeverityLook look_of(const Theme& theme, Severity severity) {
   return {icon::kInfo, "", theme.text};
 }
 
-std::string counted(std::size_t n, const char* noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
-}
-
 std::string when(const Problem& problem) {
   return problem.begin_s == problem.end_s ? fmt::format("{:.2f} s", problem.begin_s)
                                           : fmt::format("{:.2f} – {:.2f} s", problem.begin_s, problem.end_s);

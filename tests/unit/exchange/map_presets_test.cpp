@@ -13,10 +13,10 @@ using testing::ScratchFolder;
 TEST_CASE("a map that was kept under a name comes back as it was") {
   const ScratchFolder folder;
   ColumnMap map;
-  map.delimiter = ";";
+  map.delimiter.assign(1, ';');
   map.time.rate_hz = 30.0;
   map.arms[1].position = PositionColumns{{"x", "y", "#3"}, "mm"};
-  map.frame.mirror = "y";
+  map.frame.mirror.assign(1, 'y');
   CHECK(map_presets(folder / "maps").empty());
   REQUIRE(save_map_preset(folder / "maps", "Tracker of the lab", map));
   REQUIRE(save_map_preset(folder / "maps", "Another", map));
@@ -47,8 +47,8 @@ TEST_CASE("the columns of a table are named as a map names them, with their firs
   const ScratchFolder folder;
   REQUIRE(write_file(folder / "a.csv", "t;x;x;\n0,5;1;2;a\n1;3;4;b\n"));
   ColumnMap map;
-  map.delimiter = ";";
-  map.decimal = ",";
+  map.delimiter.assign(1, ';');
+  map.decimal.assign(1, ',');
   const auto columns = table_columns(folder / "a.csv", Format::kCsv, map);
   REQUIRE(columns);
   REQUIRE(columns->size() == 4);

@@ -153,7 +153,7 @@ TEST_CASE("so is every form and every menu") {
       CHECK(driver.frames(2));
     }
     if (desk.session->items().find("Menu/File") == nullptr) continue;
-    for (const char* menu : {"File", "Edit", "Select", "View", "Transport", "Help"}) {
+    for (const char* menu : {"File", "Edit", "Modify", "Select", "Tool", "View", "Transport", "Help"}) {
       CAPTURE(menu);
       CHECK(text_of(driver.click(std::string("Menu/") + menu)) == "");
       CHECK(driver.frames(3));
