@@ -53,7 +53,8 @@ void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settin
   if (menu == "File") draw_recent(ui, settings, requests);
 }
 
-constexpr std::array<const char*, 8> kMenus{"File", "Edit", "Modify", "Select", "Tool", "View", "Transport", "Help"};
+constexpr std::array<const char*, 9> kMenus{"File", "Edit", "Modify",    "Label", "Select",
+                                            "Tool", "View", "Transport", "Help"};
 
 // How much of the menu bar is spelled out; the first for which there is room is taken.
 enum class BarWords : std::uint8_t { kAll, kIcons, kOneMenu };

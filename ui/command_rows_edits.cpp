@@ -63,13 +63,14 @@ Requests mark(const State& state) {
 
 template <typename Edited>
 constexpr RowData form_row(std::string_view id, std::string_view title, std::string_view keys = {},
-                           const char* sign = nullptr, bool separator = false) {
-  return {id, "Modify", title, Edited::kHelp, sign, {keys}, separator, cannot_edit, begin<Edited>};
+                           const char* sign = nullptr, bool separator = false, std::string_view menu = "Modify") {
+  return {id, menu, title, Edited::kHelp, sign, {keys}, separator, cannot_edit, begin<Edited>};
 }
 
 constexpr RowData key_row(std::string_view id, std::string_view title, std::string_view help, std::string_view keys,
-                          std::string (*reason)(const State&), Requests (*run)(const State&)) {
-  return {id, "", title, help, nullptr, {keys}, false, reason, run};
+                          std::string (*reason)(const State&), Requests (*run)(const State&),
+                          std::string_view menu = "Label", bool separator = false) {
+  return {id, menu, title, help, nullptr, {keys}, separator, reason, run};
 }
 
 constexpr std::string_view kFromPlayhead = "From the playhead to the next segment";
@@ -89,31 +90,33 @@ constexpr std::array<RowData, 36> kModifyRows{{
     form_row<demonstration::Resample>("modify.resample", "Resample…"),
     form_row<demonstration::Retime>("modify.retime", "Retime…", "S", icon::kClock),
     form_row<demonstration::SnapToGrid>("modify.snap", "Snap to lattice…", "Ctrl+G", icon::kCubes),
-    form_row<demonstration::SetJaw>("modify.jaw", "Gripper…"),
-    form_row<demonstration::LabelSegment>("modify.label", "Label segment…", "", nullptr, true),
-    form_row<demonstration::ProposeLabels>("modify.propose_labels", "Propose labels…"),
-    form_row<demonstration::AddNote>("modify.note", "Note…", "Shift+M"),
-    form_row<demonstration::RemoveNote>("modify.remove_note", "Remove note…"),
-    form_row<demonstration::Rename>("modify.rename", "Rename…", "F2", icon::kPencil),
-    form_row<demonstration::Mirror>("modify.mirror", "Mirror…", "", nullptr, true),
+    form_row<demonstration::SetJaw>("modify.jaw", "Gripper…", "", nullptr, true),
+    key_row("modify.close_gripper", "Close gripper", "Of the chosen arm, from the playhead on", ";", at_the_end,
+            move_jaw<false>, "Modify"),
+    key_row("modify.open_gripper", "Open gripper", "Of the chosen arm, from the playhead on", "'", at_the_end,
+            move_jaw<true>, "Modify"),
+    form_row<demonstration::Rename>("modify.rename", "Rename…", "F2", icon::kPencil, true),
+    form_row<demonstration::Mirror>("modify.mirror", "Mirror…"),
     form_row<demonstration::Retarget>("modify.retarget", "Retarget…"),
     form_row<demonstration::Perturb>("modify.perturb", "Perturb…"),
     form_row<demonstration::Revert>("modify.revert", "Revert to recording…", "Ctrl+Alt+R", icon::kHistory),
-    key_row("modify.marker", "Marker at playhead", "A note at the playhead", "M", cannot_edit, mark),
-    key_row("modify.close_gripper", "Close gripper", "Of the chosen arm, from the playhead on", ";", at_the_end,
-            move_jaw<false>),
-    key_row("modify.open_gripper", "Open gripper", "Of the chosen arm, from the playhead on", "'", at_the_end,
-            move_jaw<true>),
-    key_row("modify.label_a", "Label A from playhead", kFromPlayhead, "1", at_the_end, label_from_playhead<0>),
+    form_row<demonstration::LabelSegment>("modify.label", "Label segment…", "", nullptr, false, "Label"),
+    form_row<demonstration::ProposeLabels>("modify.propose_labels", "Propose labels…", "", nullptr, false, "Label"),
+    key_row("modify.label_a", "Label A from playhead", kFromPlayhead, "1", at_the_end, label_from_playhead<0>, "Label",
+            true),
     key_row("modify.label_b", "Label B from playhead", kFromPlayhead, "2", at_the_end, label_from_playhead<1>),
     key_row("modify.label_c", "Label C from playhead", kFromPlayhead, "3", at_the_end, label_from_playhead<2>),
     key_row("modify.label_d", "Label D from playhead", kFromPlayhead, "4", at_the_end, label_from_playhead<3>),
     key_row("modify.label_e", "Label E from playhead", kFromPlayhead, "5", at_the_end, label_from_playhead<4>),
-    key_row("modify.select_a", "Label selection A", kOverSelection, "Shift+1", nothing_selected, label_selection<0>),
+    key_row("modify.select_a", "Label selection A", kOverSelection, "Shift+1", nothing_selected, label_selection<0>,
+            "Label", true),
     key_row("modify.select_b", "Label selection B", kOverSelection, "Shift+2", nothing_selected, label_selection<1>),
     key_row("modify.select_c", "Label selection C", kOverSelection, "Shift+3", nothing_selected, label_selection<2>),
     key_row("modify.select_d", "Label selection D", kOverSelection, "Shift+4", nothing_selected, label_selection<3>),
     key_row("modify.select_e", "Label selection E", kOverSelection, "Shift+5", nothing_selected, label_selection<4>),
+    key_row("modify.marker", "Marker at playhead", "A note at the playhead", "M", cannot_edit, mark, "Label", true),
+    form_row<demonstration::AddNote>("modify.note", "Note…", "Shift+M", nullptr, false, "Label"),
+    form_row<demonstration::RemoveNote>("modify.remove_note", "Remove note…", "", nullptr, false, "Label"),
 }};
 
 }  // namespace

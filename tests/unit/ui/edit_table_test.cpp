@@ -98,8 +98,8 @@ TEST_CASE("each kind of edit has a form in the window and a word on the command 
     CHECK(text_of(driver.key("Ctrl+2")) == "");
     const CommandRow* row = row_of(name, desk.state);
     REQUIRE(row != nullptr);
-    CHECK(text_of(driver.click("Menu/Modify")) == "");
-    CHECK(text_of(driver.click("Modify/" + std::string(row->title))) == "");
+    CHECK(text_of(driver.click("Menu/" + std::string(row->menu))) == "");
+    CHECK(text_of(driver.click(std::string(row->menu) + "/" + std::string(row->title))) == "");
     CHECK(driver.frames(3));
     if (const auto typed = kTyped.find(name); typed != kTyped.end()) {
       for (const auto& [label, text] : typed->second) {

@@ -144,7 +144,8 @@ TEST_CASE("so is every form and every menu") {
     CAPTURE(scale);
     Desk desk(testing::made_state_with_model(), scale);
     Driver driver = desk.driver();
-    for (const char* keys : {"Ctrl+N", "Ctrl+O", "Ctrl+E", "Ctrl+Shift+E", "R", "F1", "Ctrl+P", "Ctrl+Q"}) {
+    for (const char* keys :
+         {"Ctrl+N", "Ctrl+O", "Ctrl+I", "Ctrl+Alt+E", "Ctrl+E", "Ctrl+Shift+E", "R", "F1", "Ctrl+P", "Ctrl+Q"}) {
       CAPTURE(keys);
       CHECK(driver.key(keys));
       CHECK(driver.frames(4));
@@ -153,7 +154,7 @@ TEST_CASE("so is every form and every menu") {
       CHECK(driver.frames(2));
     }
     if (desk.session->items().find("Menu/File") == nullptr) continue;
-    for (const char* menu : {"File", "Edit", "Modify", "Select", "Tool", "View", "Transport", "Help"}) {
+    for (const char* menu : {"File", "Edit", "Modify", "Label", "Select", "Tool", "View", "Transport", "Help"}) {
       CAPTURE(menu);
       CHECK(text_of(driver.click(std::string("Menu/") + menu)) == "");
       CHECK(driver.frames(3));
