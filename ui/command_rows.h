@@ -43,6 +43,12 @@ std::string no_model(const WorkbenchState& state);
 /// Why the selected demonstration cannot be edited now; "" if it can.
 std::string cannot_edit(const WorkbenchState& state);
 
+/// Half a sample, in seconds: nothing lies between.
+constexpr double kSameTime_s = 0.0025;
+
+/// Commits an edit of the selected demonstration.
+Requests change(const WorkbenchState& state, demonstration::Edit edit);
+
 inline Requests one(Request request) {
   return {std::move(request)};
 }

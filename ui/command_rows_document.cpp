@@ -21,9 +21,6 @@ std::string cannot_record(const State& state) {
   return state.live ? "A transfer is being recorded" : "";
 }
 
-// Half a sample: nothing lies between.
-constexpr double kSameTime_s = 0.0025;
-
 std::string cannot_trim_in(const State& state) {
   if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
   const bool there = state.playhead_s - selected_demonstration(state)->begin_s < kSameTime_s;
@@ -340,6 +337,10 @@ constexpr std::array<RowData, 13> kEditRows{{
 std::string cannot_edit(const State& state) {
   if (std::string reason = cannot_change(state); !reason.empty()) return reason;
   return state.live ? "A transfer is being recorded" : no_demonstration(state);
+}
+
+Requests change(const State& state, demonstration::Edit edit) {
+  return one(Command{CommitEdit{EditDemonstration{state.demonstration, std::move(edit)}}});
 }
 
 std::span<const RowData> file_rows() {

@@ -12,16 +12,9 @@ using namespace workbench;
 using State = WorkbenchState;
 using demonstration::Segment;
 
-// Half a sample: nothing lies between.
-constexpr double kSameTime_s = 0.0025;
-
 template <typename Edited>
 Requests begin(const State&) {
   return {BeginEdit{Edited{}}, ShowPanel{PanelId::kEdits}};
-}
-
-Requests change(const State& state, demonstration::Edit edit) {
-  return one(Command{CommitEdit{EditDemonstration{state.demonstration, std::move(edit)}}});
 }
 
 std::string at_the_end(const State& state) {
@@ -30,7 +23,7 @@ std::string at_the_end(const State& state) {
   return inside ? "" : "The playhead is at the end";
 }
 
-std::string nothing_selected(const State& state) {
+std::string cannot_label_selection(const State& state) {
   if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
   return state.selection ? "" : "No time is selected: drag over the lanes, or Alt+I and Alt+O";
 }
@@ -108,12 +101,16 @@ constexpr std::array<RowData, 36> kModifyRows{{
     key_row("modify.label_c", "Label C from playhead", kFromPlayhead, "3", at_the_end, label_from_playhead<2>),
     key_row("modify.label_d", "Label D from playhead", kFromPlayhead, "4", at_the_end, label_from_playhead<3>),
     key_row("modify.label_e", "Label E from playhead", kFromPlayhead, "5", at_the_end, label_from_playhead<4>),
-    key_row("modify.select_a", "Label selection A", kOverSelection, "Shift+1", nothing_selected, label_selection<0>,
-            "Label", true),
-    key_row("modify.select_b", "Label selection B", kOverSelection, "Shift+2", nothing_selected, label_selection<1>),
-    key_row("modify.select_c", "Label selection C", kOverSelection, "Shift+3", nothing_selected, label_selection<2>),
-    key_row("modify.select_d", "Label selection D", kOverSelection, "Shift+4", nothing_selected, label_selection<3>),
-    key_row("modify.select_e", "Label selection E", kOverSelection, "Shift+5", nothing_selected, label_selection<4>),
+    key_row("modify.select_a", "Label selection A", kOverSelection, "Shift+1", cannot_label_selection,
+            label_selection<0>, "Label", true),
+    key_row("modify.select_b", "Label selection B", kOverSelection, "Shift+2", cannot_label_selection,
+            label_selection<1>),
+    key_row("modify.select_c", "Label selection C", kOverSelection, "Shift+3", cannot_label_selection,
+            label_selection<2>),
+    key_row("modify.select_d", "Label selection D", kOverSelection, "Shift+4", cannot_label_selection,
+            label_selection<3>),
+    key_row("modify.select_e", "Label selection E", kOverSelection, "Shift+5", cannot_label_selection,
+            label_selection<4>),
     key_row("modify.marker", "Marker at playhead", "A note at the playhead", "M", cannot_edit, mark, "Label", true),
     form_row<demonstration::AddNote>("modify.note", "Note…", "Shift+M", nullptr, false, "Label"),
     form_row<demonstration::RemoveNote>("modify.remove_note", "Remove note…", "", nullptr, false, "Label"),

@@ -13,10 +13,6 @@ namespace {
 using namespace workbench;
 using State = WorkbenchState;
 
-Requests change(const State& state, demonstration::Edit edit) {
-  return one(Command{CommitEdit{EditDemonstration{state.demonstration, std::move(edit)}}});
-}
-
 std::string nothing_selected(const State& state) {
   if (std::string reason = no_demonstration(state); !reason.empty()) return reason;
   return state.selection ? "" : "No time is selected: drag over the lanes, or Alt+I and Alt+O";

@@ -15,7 +15,7 @@ namespace {
 
 using exchange::Format;
 
-constexpr std::array<Format, 3> kFormats{Format::kCsv, Format::kNpy, Format::kHdf5};
+constexpr std::array<Format, 3> kWritten{Format::kCsv, Format::kNpy, Format::kHdf5};
 constexpr std::array<const char*, 3> kEndings{".csv", ".npy", ".hdf5"};
 
 std::string named_after(const WorkbenchState& state, std::size_t format) {
@@ -34,7 +34,7 @@ void DemonstrationsForm::prepare(const WorkbenchState& state) {
 
 void DemonstrationsForm::draw_list(Ui& ui, const WorkbenchState& state) {
   const Scope scope(ui, "Demonstrations");
-  const bool several = kFormats[static_cast<std::size_t>(format_)] == Format::kHdf5;
+  const bool several = kWritten[static_cast<std::size_t>(format_)] == Format::kHdf5;
   UniqueNames unique;
   for (const auto& [id, shown] : state.project->demonstrations) {
     Choice& choice = choices_[id];
@@ -54,7 +54,7 @@ void DemonstrationsForm::draw_list(Ui& ui, const WorkbenchState& state) {
 workbench::ExportDemonstrations DemonstrationsForm::wanted(const WorkbenchState& state) const {
   workbench::ExportDemonstrations wanted;
   wanted.path = path_;
-  wanted.format = kFormats[static_cast<std::size_t>(format_)];
+  wanted.format = kWritten[static_cast<std::size_t>(format_)];
   for (const auto& [id, choice] : choices_) {
     if (!choice.chosen || !state.project->demonstrations.contains(id)) continue;
     wanted.demonstrations.push_back(id);
