@@ -103,7 +103,7 @@ Status Runner::run(const ScriptLine& line) {
   if (verb == "wheel") return driver_.wheel(words[1], word_number(words[2]));
   if (verb == "type") return driver_.type(words[1], words[2]);
   if (verb == "key") return driver_.key(words[1]);
-  if (verb == "press" || verb == "release") return driver_.modifier(words[1], verb == "press");
+  if (verb == "key_down" || verb == "key_up") return driver_.modifier(words[1], verb == "key_down");
   if (verb == "drop") return driver_.drop((folder_ / words[1]).string());
   if (verb == "expect") return expect(line);
   if (verb == "wait") return wait(line);

@@ -8,7 +8,7 @@
 ///     expect "Timeline/Playhead" value 0.500
 ///     expect "Toolbar/Undo" enabled            (disabled, present, absent, contains WORDS)
 ///     key Ctrl+Shift+T
-///     press Ctrl                               (and hold it, until: release Ctrl)
+///     key_down Ctrl                            (and hold it, until: key_up Ctrl)
 ///     drop "hand.csv"                          (on the window; beside the script)
 ///     wait idle 120                            (seconds; 60 if not said)
 ///     wait for "Library/Expert 1" 30
