@@ -95,5 +95,6 @@ TEST_CASE("every curve is found by its name, and an unknown name lists those tha
   for (const CurveKind kind : kCurveKinds) CHECK(curve_kind_from(to_string(kind)) == kind);
   const auto unknown = curve_kind_from("sped");
   REQUIRE_FALSE(unknown);
-  CHECK(unknown.error().text() == "there is no curve 'sped'; there are x, y, z, speed, acceleration, jerk, jaw, clearance");
+  CHECK(unknown.error().text() ==
+        "there is no curve 'sped'; there are x, y, z, speed, acceleration, jerk, jaw, clearance");
 }
