@@ -184,11 +184,15 @@ struct ExportField {
 struct CancelJob {
   JobId id;
 };
+/// A warning of whoever drives the workbench, for its log.
+struct Report {
+  std::string sentence;
+};
 
 using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
                              SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, SetPlayhead,
                              Play, SetSelection, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize,
                              SetField, SetRollouts, RecordScripted, StopRecording, TrainModel, VerifyReplay,
-                             SimulateDemonstration, FixProblems, ExportVideo, ExportField, CancelJob>;
+                             SimulateDemonstration, FixProblems, ExportVideo, ExportField, CancelJob, Report>;
 
 }  // namespace trocar::workbench
