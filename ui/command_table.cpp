@@ -1,6 +1,7 @@
 #include "ui/command_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <utility>
 
@@ -15,7 +16,7 @@ using State = WorkbenchState;
 std::vector<CommandRow> make_table() {
   std::vector<CommandRow> table;
   for (const auto rows : {file_rows(), undo_rows(), clipboard_rows(), edit_rows(), review_rows(), selection_rows(),
-                          tool_rows(), view_rows(), transport_rows(), help_rows()}) {
+                          tool_rows(), view_rows(), panel_rows(), layout_rows(), transport_rows(), help_rows()}) {
     for (const RowData& row : rows) {
       table.push_back(
           {row.id, row.menu, row.title, row.help, row.icon, {}, row.separator, row.context, row.reason, row.run});
@@ -47,6 +48,16 @@ int rank(const CommandRow& row, const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> command_menus() {
+  static constexpr std::array<std::string_view, 9> kMenus{"File",   "Edit",   "Select",    "Tool", "View",
+                                                          "Panels", "Layout", "Transport", "Help"};
+  return kMenus;
+}
+
+std::string_view menu_above(std::string_view menu) {
+  return menu == "Panels" || menu == "Layout" ? "View" : "";
+}
 
 const std::vector<CommandRow>& command_table() {
   static const std::vector<CommandRow> table = make_table();
