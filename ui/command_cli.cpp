@@ -42,7 +42,7 @@ constexpr std::array<Words, 34> kWords{{
     {"tool.nudge_", "trocar demo edit P DEMO move --at S"},
     {"tool.fine_", "trocar demo edit P DEMO move --at S"},
     {"view.camera_", "trocar view render P DEMO --camera paper|top|side|front --out F.png"},
-    {"view.curves", "trocar demo plot P DEMO"},
+    {"view.curves", "trocar demo plot P DEMO --out F.png"},
     {"view.diff", "trocar demo diff P DEMO"},
     {"help.shortcuts", "trocar ui manual --out DIR"},
     {"help.page", "trocar ui manual --out DIR"},

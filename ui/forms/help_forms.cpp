@@ -91,8 +91,10 @@ Requests PageForm::draw_content(Ui& ui, const WorkbenchState&) {
     wrapped_text(ui, std::string(ui::title(panel_)) + ": " + std::string(page.summary), ui.theme().text);
   }
   wrapped_text(ui, page.more, ui.theme().text);
-  const float buttons = ImGui::GetFrameHeightWithSpacing();
-  ImGui::BeginChild("page", {0.0F, std::max(ImGui::GetContentRegionAvail().y - buttons, ui.px(120))});
+  // In a low window all of it scrolls together.
+  const float room = ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing();
+  const bool apart = room >= ui.px(120);
+  if (apart) ImGui::BeginChild("page", {0.0F, room});
   if (!page.mouse.front().act.empty()) mouse_keys(ui, page.mouse);
   const auto commands = commands_of(page);
   if (!commands.empty()) heading(ui, "Commands");
@@ -105,7 +107,7 @@ Requests PageForm::draw_content(Ui& ui, const WorkbenchState&) {
     }
     ImGui::EndTable();
   }
-  ImGui::EndChild();
+  if (apart) ImGui::EndChild();
   if (button(ui, "All keys…", {.icon = icon::kKeyboard, .help = "Every key there is"})) {
     requests.emplace_back(UiAction::kShowShortcuts);
   }

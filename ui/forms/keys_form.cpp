@@ -191,10 +191,10 @@ Requests KeysForm::draw_content(Ui& ui, const WorkbenchState&) {
   draw_head(ui, requests);
   draw_banner(ui, requests);
   // In a low window all of it scrolls together.
-  const float room = ImGui::GetContentRegionAvail().y;
-  ImGui::BeginChild("commands", {0.0F, std::max(room, ui.px(200))});
+  const bool apart = ImGui::GetContentRegionAvail().y >= ui.px(200);
+  if (apart) ImGui::BeginChild("commands");
   for (const std::string_view menu : command_menus()) draw_menu(ui, menu, requests);
-  ImGui::EndChild();
+  if (apart) ImGui::EndChild();
   return requests;
 }
 

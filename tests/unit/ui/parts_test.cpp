@@ -259,6 +259,8 @@ TEST_CASE("an act is said as the command line would say it") {
   CHECK(command_text(workbench::Command{record}, state) ==
         "trocar demo record /data/pegs.trocar --operator scripted --skill expert --seed 7 --block 0 --goal 0 --name "
         "'it'\\''s mine'");
+  CHECK(command_text(workbench::Command{workbench::GoToHistory{7}}, state) ==
+        "trocar history /data/pegs.trocar --go 7");
   CHECK(command_text(workbench::Command{workbench::Play{1.0}}, state).empty());
 }
 
