@@ -180,9 +180,12 @@ std::vector<Chord> read_chords(const std::string& id, const Json& texts, Diagnos
 void drop_refused(KeyChoices& choices, Diagnostics& diagnostics) {
   const Keymap keymap(choices);
   for (const std::string& sentence : keymap.refused()) diagnostics.warn("in the settings " + sentence);
-  for (auto& [id, chords] : choices.changed) {
-    const auto kept = keymap.chords(id);
-    chords.assign(kept.begin(), kept.end());
+  // A command that keeps none of what it was to have keeps its own.
+  for (auto change = choices.changed.begin(); change != choices.changed.end();) {
+    const auto kept = keymap.chords(change->first);
+    const bool lost = kept.empty() && !change->second.empty();
+    if (!lost) change->second.assign(kept.begin(), kept.end());
+    change = lost ? choices.changed.erase(change) : std::next(change);
   }
 }
 

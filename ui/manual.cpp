@@ -64,7 +64,7 @@ std::string panel_section(PanelId panel) {
     if (!help.act.empty()) text += fmt::format("| {} | {} |\n", cell(help.act), cell(help.how));
   }
   const auto commands = commands_of(page);
-  if (!commands.empty()) text += "\n" + command_rows(commands);
+  if (!commands.empty()) text += fmt::format("\n{}", command_rows(commands));
   return text + "\n";
 }
 

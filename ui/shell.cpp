@@ -126,7 +126,8 @@ Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
     // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.
     const bool plain = !chord.modifiers.control && !chord.modifiers.alt;
     if ((typing || form_open()) && (plain || typing)) return false;
-    const bool presses = chord.key == Key::kSpace || chord.key == Key::kEnter;
+    const bool presses =
+        chord.key == Key::kSpace || chord.key == Key::kEnter || chord.key == Key::kUp || chord.key == Key::kDown;
     return !(presses && plain && ui.focus().shown());
   };
   std::vector<Chord> taken;

@@ -141,6 +141,7 @@ TEST_CASE("odd keys in the settings are named, and the rest is kept") {
   CHECK(Keymap(choices).all("edit.undo") == "F5");
   CHECK(Keymap(choices).shown("view.ghosts") == "F6");
   CHECK(Keymap(choices).shown("edit.split") == "B");
+  CHECK(Keymap(choices).shown("edit.redo") == "Ctrl+Shift+Z");
   CHECK(Keymap(choices).shown("transport.play") == "Space");
   const std::vector<std::string> expected{
       "the settings name the keys \"emacs\", which do not exist",

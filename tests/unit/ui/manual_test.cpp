@@ -2,6 +2,7 @@
 #include "ui/manual.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <string>
 
@@ -17,7 +18,7 @@ TEST_CASE("the manual has every command with its id, title and help, once in its
   const std::string page = commands_page();
   for (const CommandRow& row : command_table()) {
     CAPTURE(row.id);
-    const std::string id = "`" + std::string(row.id) + "` |";
+    const std::string id = fmt::format("`{}` |", row.id);
     const std::size_t at = page.find(id);
     REQUIRE(at != std::string::npos);
     CHECK(page.find(id, at + 1) == std::string::npos);
@@ -37,7 +38,7 @@ TEST_CASE("the manual's keys name every preset, and its panels every panel with 
   for (std::size_t i = 0; i < kPanelCount; ++i) {
     const auto panel = static_cast<PanelId>(i);
     CAPTURE(title(panel));
-    CHECK(panels.find("## " + std::string(title(panel)) + "\n") != std::string::npos);
+    CHECK(panels.find(fmt::format("## {}\n", title(panel))) != std::string::npos);
     CHECK(page_of(panel).summary.size() > 10);
     for (const std::string_view name : page_of(panel).commands) {
       if (name.empty() || name.ends_with('.') || name.ends_with('_')) continue;
