@@ -52,6 +52,13 @@ workbench::WorkbenchState live_state() {
   return state;
 }
 
+workbench::WorkbenchState loading_state() {
+  workbench::WorkbenchState state;
+  state.load = workbench::LoadState::kLoading;
+  state.path = "/data/a folder with a long name/and another one in it/pegs.trocar";
+  return state;
+}
+
 workbench::WorkbenchState failed_state() {
   workbench::WorkbenchState state;
   state.load = workbench::LoadState::kFailed;
@@ -117,10 +124,11 @@ TEST_CASE("so is every panel in a small window, in every theme") {
   }
 }
 
-TEST_CASE("so is every panel without a model, while recording, without a project and with one that is broken") {
+TEST_CASE("so is every panel without a model, while recording or opening, without a project and with a broken one") {
   for (const float scale : kScales) {
     CAPTURE(scale);
-    for (const auto& state : {testing::made_state(), live_state(), workbench::WorkbenchState{}, failed_state()}) {
+    for (const auto& state :
+         {testing::made_state(), live_state(), workbench::WorkbenchState{}, loading_state(), failed_state()}) {
       Desk desk(state, scale);
       lint_every_panel(desk, scale);
     }
