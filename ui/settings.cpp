@@ -69,7 +69,10 @@ std::filesystem::path settings_path() {
 }
 
 Result<Settings> settings_from_json(std::string_view text, Diagnostics& diagnostics) {
-  const Json json = Json::parse(text, nullptr, false);
+  // What lies deeper than any layout can be is left out before anything walks down into it.
+  constexpr int kDeepest = 64;
+  const Json json = Json::parse(
+      text, [](int depth, Json::parse_event_t, Json&) { return depth < kDeepest; }, false);
   if (!json.is_object()) return fail(ErrorCode::kCorrupt, "the settings are not a JSON object");
   Settings settings;
   if (json.contains("scale") && json["scale"].is_number()) {
