@@ -6,12 +6,12 @@
 namespace trocar::ui {
 namespace {
 
-struct Words {
+struct Equivalent {
   std::string_view id;  ///< One that ends in a dot or _ stands for all that begin so.
   std::string_view cli;
 };
 
-constexpr std::array<Words, 34> kWords{{
+constexpr std::array<Equivalent, 34> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
     {"file.export_video", "trocar video render P DEMO --out F.mp4"},
@@ -51,10 +51,10 @@ constexpr std::array<Words, 34> kWords{{
 }  // namespace
 
 std::string_view cli_of(std::string_view id) {
-  const auto* found = std::find_if(kWords.begin(), kWords.end(), [id](const Words& words) {
+  const auto* found = std::find_if(kEquivalents.begin(), kEquivalents.end(), [id](const Equivalent& words) {
     return words.id == id || (words.id.ends_with('_') && id.starts_with(words.id));
   });
-  return found == kWords.end() ? std::string_view() : found->cli;
+  return found == kEquivalents.end() ? std::string_view() : found->cli;
 }
 
 }  // namespace trocar::ui

@@ -1,11 +1,11 @@
 // Rows about the tiles: open panels, move them, put sides of the window away, keep layouts.
 #include <array>
-#include <cctype>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "ui/command_rows.h"
+#include "ui/format.h"
 #include "ui/icons.h"
 
 namespace trocar::ui {
@@ -54,9 +54,8 @@ struct PanelWords {
 
 PanelWords words_of(PanelId panel) {
   const std::string name(title(panel));
-  std::string id = "panel." + name;
-  for (char& c : id) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return {id, name + " panel", "Bring the panel " + name + " to the front; open it if it was closed"};
+  return {"panel." + lower_case(name), name + " panel",
+          "Bring the panel " + name + " to the front; open it if it was closed"};
 }
 
 template <std::size_t... i>

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "engine/core/check.h"
 #include "ui/command_rows.h"
+#include "ui/format.h"
 
 namespace trocar::ui {
 namespace {
@@ -28,16 +28,10 @@ std::vector<CommandRow> make_table() {
   return table;
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 // 0: not found. A title that begins with the words wins over one that has them, over menu and help.
 int rank(const CommandRow& row, const std::vector<std::string>& words) {
-  const std::string title = lower(row.title);
-  const std::string all = title + " " + lower(row.menu) + " " + lower(row.help);
+  const std::string title = lower_case(row.title);
+  const std::string all = title + " " + lower_case(row.menu) + " " + lower_case(row.help);
   int score = 1;
   for (const std::string& word : words) {
     if (all.find(word) == std::string::npos) return 0;
@@ -74,7 +68,7 @@ const CommandRow& command(std::string_view id) {
 std::vector<const CommandRow*> search_commands(std::string_view typed) {
   std::vector<std::string> words;
   std::string word;
-  for (const char c : lower(typed) + " ") {
+  for (const char c : lower_case(typed) + " ") {
     if (c != ' ') {
       word += c;
     } else if (!word.empty()) {

@@ -5,8 +5,8 @@
 namespace trocar::ui {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"default", "blender", "nle", "surrol"};
-constexpr std::array<std::string_view, 4> kTitles{"Default", "Blender-like", "NLE-like", "SurRoL-like"};
+constexpr std::array<std::string_view, 4> kPresetNames{"default", "blender", "nle", "surrol"};
+constexpr std::array<std::string_view, 4> kPresetTitles{"Default", "Blender-like", "NLE-like", "SurRoL-like"};
 
 // Blender 3's default keys: R turns, F3 searches, numbers of the keypad look, Up and Down go to keyframes.
 constexpr std::array<PresetRow, 19> kBlender{{{"tool.turn", {"R", "T"}},
@@ -61,17 +61,17 @@ constexpr std::array<PresetRow, 13> kSurrol{{{"tool.nudge_y", {"W", "Ctrl+Up"}},
 }  // namespace
 
 std::string_view name_of(KeyPreset preset) {
-  return kNames[static_cast<std::size_t>(preset)];
+  return kPresetNames[static_cast<std::size_t>(preset)];
 }
 
 std::string_view title_of(KeyPreset preset) {
-  return kTitles[static_cast<std::size_t>(preset)];
+  return kPresetTitles[static_cast<std::size_t>(preset)];
 }
 
 std::optional<KeyPreset> key_preset_from(std::string_view name) {
-  const auto* found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) return std::nullopt;
-  return static_cast<KeyPreset>(found - kNames.begin());
+  const auto* found = std::find(kPresetNames.begin(), kPresetNames.end(), name);
+  if (found == kPresetNames.end()) return std::nullopt;
+  return static_cast<KeyPreset>(found - kPresetNames.begin());
 }
 
 std::span<const PresetRow> rows_of(KeyPreset preset) {

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <system_error>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "engine/workbench/workbench.h"
 #include "ui/command_cli.h"
 #include "ui/command_table.h"
+#include "ui/format.h"
 #include "ui/headless.h"
 #include "ui/keymap.h"
 #include "ui/panel_pages.h"
@@ -40,9 +40,7 @@ std::string keys_of(const Keymap& keymap, std::string_view id) {
 }
 
 std::string picture_name(PanelId panel) {
-  std::string name(title(panel));
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return fmt::format("panels/{}.png", name);
+  return fmt::format("panels/{}.png", lower_case(title(panel)));
 }
 
 std::string command_rows(const std::vector<const CommandRow*>& rows) {

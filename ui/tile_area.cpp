@@ -58,7 +58,7 @@ void draw_tab(const Ui& ui, const Rect& rect, const std::string& words, bool act
   list.AddText({std::round(rect.x0 + 0.5F * (rect.width() - text)), y}, to_u32(colour), words.c_str());
 }
 
-std::string_view words_of(std::optional<Side> side) {
+std::string_view place_words(std::optional<Side> side) {
   if (!side) return "with";
   if (*side == Side::kLeft) return "left of";
   if (*side == Side::kRight) return "right of";
@@ -243,7 +243,7 @@ void TileArea::follow_drag(Ui& ui, const Tile& layout, Requests& requests) {
   list.AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(tint), ui.px(3));
   list.AddRect({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(ui.theme().accent), ui.px(3), 0, ui.px(2));
   const std::string words =
-      fmt::format("{} {} {}", title(panel), words_of(drop->place.side), title(drop->place.beside));
+      fmt::format("{} {} {}", title(panel), place_words(drop->place.side), title(drop->place.beside));
   note_rect(ui, "mark", "Drop", words, rect, {});
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   const ImVec2 at{mouse.x + ui.px(14), mouse.y + ui.px(12)};

@@ -4,21 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 #include <vector>
 
 #include "ui/command_table.h"
+#include "ui/format.h"
 #include "ui/icons.h"
 
 namespace trocar::ui {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 /// "“Redo”, while a tool is in hand “Nudge +x”": what else a chord means.
 std::string meanings(const std::vector<KeyClash>& clashes) {
@@ -46,8 +40,8 @@ void KeysForm::prepare(const WorkbenchState&) {
 }
 
 bool KeysForm::matches(Ui& ui, const CommandRow& row) const {
-  const std::string all = lower(fmt::format("{} {} {} {}", row.title, row.menu, row.id, ui.keymap().all(row.id)));
-  return all.find(lower(find_)) != std::string::npos;
+  const std::string all = lower_case(fmt::format("{} {} {} {}", row.title, row.menu, row.id, ui.keymap().all(row.id)));
+  return all.find(lower_case(find_)) != std::string::npos;
 }
 
 void KeysForm::give(Ui& ui, const std::string& id, const Chord& chord, bool take_from_others, Requests& requests) {
