@@ -152,8 +152,10 @@ BarWords bar_words(const Ui& ui, const std::vector<Lamp>& lamps) {
 Rect menu_rect(const Ui& ui, std::string_view words) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool in_bar = ImGui::GetCurrentWindowRead()->DC.LayoutType == ImGuiLayoutType_Horizontal;
-  if (!in_bar)
-    return {at.x, at.y, at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeightWithSpacing()};
+  if (!in_bar) {
+    const float half = 0.5F * ImGui::GetStyle().ItemSpacing.y;
+    return {at.x, at.y - half, at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeight() + half};
+  }
   const float beside = std::floor(0.5F * ImGui::GetStyle().ItemSpacing.x);
   return {at.x - beside, 0.0F, at.x + ImGui::CalcTextSize(words.data(), words.data() + words.size()).x + 3.0F * beside,
           menu_bar_height(ui)};
@@ -187,7 +189,9 @@ void draw_menus(Ui& ui, const WorkbenchState& state, const Settings& settings, B
     const bool open = ImGui::BeginMenu(icon::kBars);
     if (open) ui.items().set_last_value("open");
     if (open) {
+      ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(10)});
       draw_menus_of_bar(ui, state, settings, requests);
+      ImGui::PopStyleVar();
       ImGui::EndMenu();
     }
   }

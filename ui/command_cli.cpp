@@ -11,7 +11,7 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 34> kEquivalents{{
+constexpr std::array<Equivalent, 35> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
     {"file.export_video", "trocar video render P DEMO --out F.mp4"},
@@ -44,6 +44,7 @@ constexpr std::array<Equivalent, 34> kEquivalents{{
     {"view.camera_", "trocar view render P DEMO --camera paper|top|side|front --out F.png"},
     {"view.curves", "trocar demo plot P DEMO --out F.png"},
     {"view.diff", "trocar demo diff P DEMO"},
+    {"view.comparison", "trocar demo diff P DEMO"},
     {"help.shortcuts", "trocar ui manual --out DIR"},
     {"help.page", "trocar ui manual --out DIR"},
 }};

@@ -83,6 +83,20 @@ void PageForm::open_on(PanelId panel) {
   open();
 }
 
+void PageForm::draw_commands(Ui& ui) const {
+  const auto commands = commands_of(page_of(panel_));
+  if (commands.empty()) return;
+  const Scope scope(ui, "Commands");
+  heading(ui, "Commands");
+  if (!begin_keys("commands")) return;
+  for (const CommandRow* row : commands) {
+    const std::string keys = ui.keymap().all(row->id);
+    const std::string words = keys.empty() ? std::string(row->help) : fmt::format("{} – {}", keys, row->help);
+    key_row(ui, row->title, words);
+  }
+  ImGui::EndTable();
+}
+
 Requests PageForm::draw_content(Ui& ui, const WorkbenchState&) {
   Requests requests;
   const PanelPage& page = page_of(panel_);
@@ -96,24 +110,16 @@ Requests PageForm::draw_content(Ui& ui, const WorkbenchState&) {
   const bool apart = room >= ui.px(120);
   if (apart) ImGui::BeginChild("page", {0.0F, room});
   if (!page.mouse.front().act.empty()) mouse_keys(ui, page.mouse);
-  const auto commands = commands_of(page);
-  if (!commands.empty()) heading(ui, "Commands");
-  if (!commands.empty() && begin_keys("commands")) {
-    const Scope scope(ui, "Commands");
-    for (const CommandRow* row : commands) {
-      const std::string keys = ui.keymap().all(row->id);
-      const std::string words = keys.empty() ? std::string(row->help) : fmt::format("{} – {}", keys, row->help);
-      key_row(ui, row->title, words);
-    }
-    ImGui::EndTable();
-  }
+  draw_commands(ui);
   if (apart) ImGui::EndChild();
   if (button(ui, "All keys…", {.icon = icon::kKeyboard, .help = "Every key there is"})) {
     requests.emplace_back(UiAction::kShowShortcuts);
+    close();
   }
   flow(button_width(ui, "Change keys…", icon::kPencil), ui.px(6));
   if (button(ui, "Change keys…", {.icon = icon::kPencil, .help = "Give commands other keys"})) {
     requests.emplace_back(UiAction::kShowKeys);
+    close();
   }
   return requests;
 }

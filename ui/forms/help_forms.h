@@ -25,6 +25,8 @@ class PageForm final : public Form {
   Requests draw_content(Ui& ui, const WorkbenchState& state) override;
 
  private:
+  void draw_commands(Ui& ui) const;
+
   PanelId panel_ = PanelId::kView;
 };
 

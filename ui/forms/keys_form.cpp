@@ -101,7 +101,6 @@ void KeysForm::draw_banner(Ui& ui, Requests& requests) {
   if (!capture_.empty()) {
     const std::string words = fmt::format("Press the keys for “{}”; Esc leaves it as it is", command(capture_).title);
     wrapped_text(ui, words, ui.theme().text);
-    note_item(ui, "text", "Press the keys", words, {});
     return take(ui, requests);
   }
   if (!refusal_.empty()) return wrapped_text(ui, refusal_, ui.theme().warning);
@@ -145,8 +144,9 @@ void KeysForm::draw_row(Ui& ui, const CommandRow& row, Requests& requests) {
     const std::string words = to_text(chord);
     const std::vector<KeyClash> also = keymap.clashes(row.id, chord);
     const std::string help = also.empty() ? "Take it away" : "Take it away; it also means " + meanings(also);
-    beside(button_width(ui, words, nullptr));
-    if (!button(ui, words, {.help = help})) continue;
+    const float width = std::max(button_width(ui, words, nullptr), ui.px(28));
+    beside(width);
+    if (!button(ui, words, {.help = help, .width = width})) continue;
     std::vector<Chord> left = list_of(ui, row.id);
     std::erase(left, chord);
     requests.emplace_back(ChooseKeys{with_chords(settings_.keys, row.id, std::move(left))});

@@ -164,7 +164,7 @@ TEST_CASE("keys are changed by pressing others, and then hold, and are shown, ev
   CHECK(driver.key("Enter"));
   CHECK(driver.frames(4));
   CHECK(text_of(driver.click("Keys/edit.undo/Add keys")) == "");
-  CHECK(text_of(driver.expect_present("Keys/Press the keys", true)) == "");
+  CHECK(text_of(driver.expect_present("Keys/Press the keys for “Undo”; Esc leaves it as it is", true)) == "");
   CHECK(driver.key("Ctrl+F5"));
   CHECK(driver.frames(3));
   CHECK(desk.last<workbench::Undo>() == nullptr);
@@ -237,7 +237,7 @@ TEST_CASE("a preset is chosen in the form, and Escape and Tab are refused with t
   CHECK(text_of(driver.click("Keys/edit.undo/Add keys")) == "");
   CHECK(driver.key("Escape"));
   CHECK(text_of(driver.expect_present("Keys/edit.undo/Add keys", true)) == "");
-  CHECK(text_of(driver.expect_present("Keys/Press the keys", false)) == "");
+  CHECK(text_of(driver.expect_present("Keys/Press the keys for “Undo”; Esc leaves it as it is", false)) == "");
 }
 
 }  // namespace trocar::ui
