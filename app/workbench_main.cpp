@@ -41,10 +41,12 @@ int complain(const Error& error) {
 
 int run_window(const char* project) {
   const std::filesystem::path settings_file = ui::settings_path();
-  ui::Settings settings = ui::load_settings(settings_file);
+  Diagnostics odd;
+  ui::Settings settings = ui::load_settings(settings_file, odd);
   Result<std::unique_ptr<ui::Window>> window = ui::open_glfw_window(settings.window, "Trocar");
   if (!window) return complain(window.error());
   workbench::Workbench workbench({});
+  for (const std::string& sentence : odd.warnings()) workbench.post(workbench::Report{sentence});
   if (project != nullptr) {
     workbench.post(workbench::OpenProject{project, false});
     ui::add_recent(settings, project);

@@ -16,7 +16,7 @@ class Application {
                                                      Settings settings);
 
   /// One frame: takes in what the threads finished, draws, posts what the user asked for. Waits for input up to
-  /// `timeout_s` if nothing moves.
+  /// `timeout_s` if nothing moves, and draws nothing if then nothing has happened.
   Status step(double timeout_s);
   bool quit() const { return quit_; }
   Session& session() { return *session_; }
@@ -24,6 +24,9 @@ class Application {
 
  private:
   Application(Window& window, workbench::Workbench& workbench) : window_(window), workbench_(workbench) {}
+  /// Between two frames while something moves; input ends it.
+  double pause_s() const;
+
   Window& window_;
   workbench::Workbench& workbench_;
   std::unique_ptr<Session> session_;

@@ -22,7 +22,7 @@ using workbench::JobState;
 
 void draw_menu_item(Ui& ui, const WorkbenchState& state, const CommandRow& row, Requests& requests) {
   const std::string reason = row.reason_now(state);
-  const std::string keys = row.keys.empty() ? std::string() : std::string(row.keys.front());
+  const std::string keys(shown_keys(ui, row.id));
   const ColourScope colour(ImGuiCol_Text, reason.empty() ? ui.theme().text : ui.theme().text_disabled);
   const ColourScope keys_colour(ImGuiCol_TextDisabled, ui.theme().text_dim);
   const bool clicked = ImGui::MenuItem(std::string(row.title).c_str(), keys.c_str(), false, reason.empty());
@@ -41,6 +41,9 @@ void draw_recent(Ui& ui, const Settings& settings, Requests& requests) {
   }
 }
 
+void draw_menu(Ui& ui, const WorkbenchState& state, const Settings& settings, std::string_view menu,
+               Requests& requests);
+
 // Its scope ends before the menu's window does.
 void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settings, std::string_view menu,
                      Requests& requests) {
@@ -51,10 +54,10 @@ void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settin
     draw_menu_item(ui, state, row, requests);
   }
   if (menu == "File") draw_recent(ui, settings, requests);
+  for (const std::string_view inner : command_menus()) {
+    if (menu_above(inner) == menu) draw_menu(ui, state, settings, inner, requests);
+  }
 }
-
-constexpr std::array<const char*, 9> kMenus{"File", "Edit", "Modify",    "Label", "Select",
-                                            "Tool", "View", "Transport", "Help"};
 
 // How much of the menu bar is spelled out; the first for which there is room is taken.
 enum class BarWords : std::uint8_t { kAll, kIcons, kOneMenu };
@@ -62,11 +65,14 @@ enum class BarWords : std::uint8_t { kAll, kIcons, kOneMenu };
 constexpr std::array<PanelId, kWorkspaceCount> kWorkspacePanels{PanelId::kLibrary, PanelId::kTimeline, PanelId::kFields,
                                                                 PanelId::kRollouts};
 
+constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceCommands{"view.library", "view.author", "view.fields",
+                                                                           "view.rollouts"};
+
 struct Lamp {
   std::string label;
   const char* icon = nullptr;
   std::string short_words;  ///< Beside the icon where room is short.
-  bool on = false;
+  bool on = false;          ///< Something moves: a spinner in place of the icon.
   std::string help;
   std::optional<PanelId> panel;  ///< Shown by a click.
 };
@@ -107,6 +113,7 @@ std::vector<Lamp> lamps_of(const WorkbenchState& state) {
 
 std::string words_of(const Lamp& lamp, BarWords detail) {
   const std::string& words = detail == BarWords::kAll ? lamp.label : lamp.short_words;
+  if (lamp.on) return fmt::format("     {}", words);
   return words.empty() ? std::string(lamp.icon) : std::string(lamp.icon) + "  " + words;
 }
 
@@ -120,8 +127,9 @@ float gap_of(const Ui& ui, BarWords detail) {
 
 float bar_width(const Ui& ui, const std::vector<Lamp>& lamps, BarWords detail) {
   float width = 2.0F * ui.px(12) + gap_of(ui, detail);
-  for (const char* menu : kMenus) {
-    if (detail != BarWords::kOneMenu) width += ImGui::CalcTextSize(menu).x + ui.px(28);
+  for (const std::string_view menu : command_menus()) {
+    const bool shown = detail != BarWords::kOneMenu && menu_above(menu).empty();
+    if (shown) width += ImGui::CalcTextSize(menu.data(), menu.data() + menu.size()).x + ui.px(28);
   }
   if (detail == BarWords::kOneMenu) width += ImGui::CalcTextSize(icon::kBars).x + ui.px(28);
   for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
@@ -141,18 +149,22 @@ BarWords bar_words(const Ui& ui, const std::vector<Lamp>& lamps) {
 }
 
 // Of the next menu's name. ImGui does not say it once the menu is open: then its last item is the menu.
-Rect menu_rect(const Ui& ui, const char* words) {
+Rect menu_rect(const Ui& ui, std::string_view words) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool in_bar = ImGui::GetCurrentWindowRead()->DC.LayoutType == ImGuiLayoutType_Horizontal;
-  if (!in_bar)
-    return {at.x, at.y, at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeightWithSpacing()};
+  if (!in_bar) {
+    const float half = 0.5F * ImGui::GetStyle().ItemSpacing.y;
+    return {at.x, at.y - half, at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeight() + half};
+  }
   const float beside = std::floor(0.5F * ImGui::GetStyle().ItemSpacing.x);
-  return {at.x - beside, 0.0F, at.x + ImGui::CalcTextSize(words).x + 3.0F * beside, menu_bar_height(ui)};
+  return {at.x - beside, 0.0F, at.x + ImGui::CalcTextSize(words.data(), words.data() + words.size()).x + 3.0F * beside,
+          menu_bar_height(ui)};
 }
 
-void draw_menu(Ui& ui, const WorkbenchState& state, const Settings& settings, const char* menu, Requests& requests) {
+void draw_menu(Ui& ui, const WorkbenchState& state, const Settings& settings, std::string_view menu,
+               Requests& requests) {
   note_rect(ui, "menu", menu, "", menu_rect(ui, menu), {});
-  const bool open = ImGui::BeginMenu(menu);
+  const bool open = ImGui::BeginMenu(std::string(menu).c_str());
   if (open) ui.items().set_last_value("open");
   if (!open) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(10)});
@@ -161,17 +173,25 @@ void draw_menu(Ui& ui, const WorkbenchState& state, const Settings& settings, co
   ImGui::EndMenu();
 }
 
+void draw_menus_of_bar(Ui& ui, const WorkbenchState& state, const Settings& settings, Requests& requests) {
+  for (const std::string_view menu : command_menus()) {
+    if (menu_above(menu).empty()) draw_menu(ui, state, settings, menu, requests);
+  }
+}
+
 void draw_menus(Ui& ui, const WorkbenchState& state, const Settings& settings, BarWords detail, Requests& requests) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(14), ui.px(8)});
   if (detail != BarWords::kOneMenu) {
-    for (const char* menu : kMenus) draw_menu(ui, state, settings, menu, requests);
+    draw_menus_of_bar(ui, state, settings, requests);
   } else {
     note_rect(ui, "menu", "All menus", "", menu_rect(ui, icon::kBars),
               {.help = "File, Edit, Select, Tool, View, Transport, Help"});
     const bool open = ImGui::BeginMenu(icon::kBars);
     if (open) ui.items().set_last_value("open");
     if (open) {
-      for (const char* menu : kMenus) draw_menu(ui, state, settings, menu, requests);
+      ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(10), ui.px(10)});
+      draw_menus_of_bar(ui, state, settings, requests);
+      ImGui::PopStyleVar();
       ImGui::EndMenu();
     }
   }
@@ -184,7 +204,7 @@ void draw_workspaces(Ui& ui, const Settings& settings, BarWords detail, Requests
   for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
     const auto workspace = static_cast<Workspace>(i);
     if (i > 0) ImGui::SameLine(0.0F, ui.px(2));
-    const std::string keys = fmt::format("Ctrl+{}", i + 1);
+    const std::string keys(shown_keys(ui, kWorkspaceCommands[i]));
     const std::string help = std::string(title(workspace)) + " workspace";
     const char* only = detail == BarWords::kAll ? nullptr : icon_of(kWorkspacePanels[i]);
     if (toggle(ui, title(workspace), settings.workspace == workspace,
@@ -212,6 +232,11 @@ void draw_lamps(Ui& ui, const std::vector<Lamp>& lamps, BarWords detail, double 
     if (toggle_shown_as(ui, lamp.label, words, lamp.on, options) && lamp.panel) {
       requests.emplace_back(ShowPanel{*lamp.panel});
     }
+    if (!lamp.on) continue;
+    const Rect rect = item_rect();
+    const float radius = 0.42F * ImGui::GetFontSize();
+    const float left = rect.x0 + ImGui::GetStyle().FramePadding.x + radius;
+    spinner_at(ui, {left, std::round(rect.centre_y())}, radius, ui.theme().accent);
   }
   const std::string rate = fmt::format("{:.0f} fps", frames_hz);
   if (frames_hz > 0.0 && x - framed_width(rate) - ui.px(4) > free_from) {
@@ -282,10 +307,6 @@ float tool_bar_height(const Ui& ui) {
   return ui.px(42);
 }
 
-float status_line_height(const Ui& ui) {
-  return ui.px(28);
-}
-
 Requests draw_menu_bar(Ui& ui, const WorkbenchState& state, const Settings& settings, double frames_hz) {
   Requests requests;
   const Scope scope(ui, "Menu");
@@ -328,50 +349,13 @@ Requests draw_tool_bar(Ui& ui, const WorkbenchState& state) {
   const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
   ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.0F, 0.5F});
   if (button(ui, "Find a command…",
-             {.icon = icon::kSearch, .help = "Every command by its name", .shortcut = "Ctrl+P", .width = width})) {
+             {.icon = icon::kSearch,
+              .help = "Every command by its name",
+              .shortcut = shown_keys(ui, "help.palette"),
+              .width = width})) {
     requests.emplace_back(UiAction::kShowPalette);
   }
   ImGui::PopStyleVar();
-  return requests;
-}
-
-Requests draw_status_line(Ui& ui, const WorkbenchState& state, const StatusLine& line) {
-  Requests requests;
-  const Scope scope(ui, "Status");
-  const FontScope font(ui.fonts().small);
-  const float top = ImGui::GetCursorPosY();
-  const float height = status_line_height(ui);
-  const float y = top + 0.5F * (height - ImGui::GetTextLineHeight());
-  const float right = ImGui::GetWindowWidth() - ui.px(10);
-  const std::string project = state.project == nullptr ? std::string("No project") : shown_path(state.path);
-  ImGui::SetCursorPos({ui.px(12), y});
-  const bool tells = !line.done.empty() && (line.hint.empty() || line.just_done);
-  const std::string hint = tells ? line.done : line.hint.empty() ? project : line.hint;
-  const std::string shown = fitted(hint, 0.55F * right);
-  {
-    const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
-    ImGui::TextUnformatted(shown.c_str());
-    note_item(ui, "text", "Hint", hint, {.help = shown == hint ? std::string_view{} : std::string_view(hint)});
-  }
-  if (line.last_command.empty()) return requests;
-  const float copy = ui.px(26);
-  ImGui::SetCursorPos({right - copy, top + ui.px(1)});
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(4), 0.5F * (copy - ImGui::GetFontSize())});
-  if (icon_button(ui, "Copy as command",
-                  {.icon = icon::kCopy,
-                   .help = "Copy the last act as a command line",
-                   .shortcut = "Ctrl+Shift+C",
-                   .width = copy,
-                   .style = ButtonStyle::kQuiet})) {
-    requests.emplace_back(UiAction::kCopyCommand);
-  }
-  ImGui::PopStyleVar();
-  const FontScope mono(ui.fonts().mono);
-  const std::string words = fitted(line.last_command, 0.42F * right);
-  ImGui::SetCursorPos({right - copy - ui.px(8) - ImGui::CalcTextSize(words.c_str()).x, y});
-  const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
-  ImGui::TextUnformatted(words.c_str());
-  note_item(ui, "text", "Last command", line.last_command, {.help = line.last_command});
   return requests;
 }
 

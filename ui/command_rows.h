@@ -34,6 +34,8 @@ std::span<const RowData> selection_rows();
 std::span<const RowData> review_rows();
 std::span<const RowData> tool_rows();
 std::span<const RowData> view_rows();
+std::span<const RowData> panel_rows();
+std::span<const RowData> layout_rows();
 std::span<const RowData> transport_rows();
 std::span<const RowData> help_rows();
 
@@ -56,6 +58,11 @@ inline Requests one(Request request) {
 template <UiAction action>
 Requests act(const WorkbenchState&) {
   return {action};
+}
+
+template <Side side>
+Requests move_panel(const WorkbenchState&) {
+  return {MovePanel{side}};
 }
 
 template <PanelId panel>

@@ -23,7 +23,7 @@ std::string cannot_take(const State& state) {
 
 std::string no_tool_in_hand(const State& state) {
   if (std::string reason = cannot_take(state); !reason.empty()) return reason;
-  return state.gizmo.kind == GizmoKind::kNone ? "Move a tool (G) or turn one (T) first" : "";
+  return state.gizmo.kind == GizmoKind::kNone ? "Move or turn a tool first" : "";
 }
 
 std::string cannot_nudge(const State& state) {

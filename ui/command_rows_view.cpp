@@ -46,7 +46,7 @@ Requests comparison_in_view(const State& state) {
   return one(Command{CompareWith{settings}});
 }
 
-constexpr std::array<RowData, 19> kViewRows{{
+constexpr std::array<RowData, 18> kViewRows{{
     {"view.library",
      "View",
      "Library workspace",
@@ -209,18 +209,18 @@ constexpr std::array<RowData, 19> kViewRows{{
      true,
      nullptr,
      act<UiAction::kMaximise>},
-    {"view.reset_layout",
-     "View",
-     "Reset layout",
-     "Put the panels of this workspace back in their places",
-     nullptr,
-     {},
-     false,
-     nullptr,
-     act<UiAction::kResetLayout>},
 }};
 
-constexpr std::array<RowData, 5> kHelpRows{{
+constexpr std::array<RowData, 7> kHelpRows{{
+    {"help.page",
+     "Help",
+     "Help on this panel",
+     "What the panel under the pointer is for, and all of its commands",
+     icon::kBook,
+     {"F1"},
+     false,
+     nullptr,
+     act<UiAction::kShowHelp>},
     {"help.palette",
      "Help",
      "Command palette…",
@@ -235,10 +235,19 @@ constexpr std::array<RowData, 5> kHelpRows{{
      "Keyboard shortcuts…",
      "Every key there is",
      icon::kKeyboard,
-     {"F1", "Shift+/"},
+     {"Shift+/"},
      false,
      nullptr,
      act<UiAction::kShowShortcuts>},
+    {"help.keys",
+     "Help",
+     "Change keys…",
+     "Give commands other keys, or those of another program",
+     icon::kPencil,
+     {},
+     false,
+     nullptr,
+     act<UiAction::kShowKeys>},
     {"help.copy_command",
      "Help",
      "Copy last command",

@@ -1,11 +1,12 @@
 #include "ui/command_table.h"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <utility>
 
 #include "engine/core/check.h"
 #include "ui/command_rows.h"
+#include "ui/format.h"
 
 namespace trocar::ui {
 namespace {
@@ -14,8 +15,9 @@ using State = WorkbenchState;
 
 std::vector<CommandRow> make_table() {
   std::vector<CommandRow> table;
-  for (const auto rows : {file_rows(), undo_rows(), clipboard_rows(), edit_rows(), modify_rows(), review_rows(),
-                          selection_rows(), tool_rows(), view_rows(), transport_rows(), help_rows()}) {
+  for (const auto rows :
+       {file_rows(), undo_rows(), clipboard_rows(), edit_rows(), modify_rows(), review_rows(), selection_rows(),
+        tool_rows(), view_rows(), panel_rows(), layout_rows(), transport_rows(), help_rows()}) {
     for (const RowData& row : rows) {
       table.push_back(
           {row.id, row.menu, row.title, row.help, row.icon, {}, row.separator, row.context, row.reason, row.run});
@@ -27,16 +29,10 @@ std::vector<CommandRow> make_table() {
   return table;
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 // 0: not found. A title that begins with the words wins over one that has them, over menu and help.
 int rank(const CommandRow& row, const std::vector<std::string>& words) {
-  const std::string title = lower(row.title);
-  const std::string all = title + " " + lower(row.menu) + " " + lower(row.help);
+  const std::string title = lower_case(row.title);
+  const std::string all = title + " " + lower_case(row.menu) + " " + lower_case(row.help);
   int score = 1;
   for (const std::string& word : words) {
     if (all.find(word) == std::string::npos) return 0;
@@ -47,6 +43,16 @@ int rank(const CommandRow& row, const std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> command_menus() {
+  static constexpr std::array<std::string_view, 11> kMenus{"File", "Edit",   "Modify", "Label",     "Select", "Tool",
+                                                           "View", "Panels", "Layout", "Transport", "Help"};
+  return kMenus;
+}
+
+std::string_view menu_above(std::string_view menu) {
+  return menu == "Panels" || menu == "Layout" ? "View" : "";
+}
 
 const std::vector<CommandRow>& command_table() {
   static const std::vector<CommandRow> table = make_table();
@@ -63,7 +69,7 @@ const CommandRow& command(std::string_view id) {
 std::vector<const CommandRow*> search_commands(std::string_view typed) {
   std::vector<std::string> words;
   std::string word;
-  for (const char c : lower(typed) + " ") {
+  for (const char c : lower_case(typed) + " ") {
     if (c != ' ') {
       word += c;
     } else if (!word.empty()) {

@@ -1,13 +1,14 @@
 /// Every act of the window as one row: menus, toolbar, palette, keys and the shortcut sheet are made from this table.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/workbench/workbench.h"
+#include "ui/keymap.h"
 #include "ui/request.h"
-#include "ui/shortcut.h"
 
 namespace trocar::ui {
 
@@ -15,11 +16,11 @@ using workbench::WorkbenchState;
 
 struct CommandRow {
   std::string_view id;     ///< "edit.undo": for settings and documents; never changes.
-  std::string_view menu;   ///< File, Edit, Tool, View, Transport, Help; "" for none.
+  std::string_view menu;   ///< One of `command_menus`.
   std::string_view title;  ///< "Undo"
   std::string_view help;
   const char* icon = nullptr;
-  std::vector<std::string_view> keys;  ///< The first is shown.
+  std::vector<std::string_view> keys;  ///< To begin with; see `Keymap` for those that hold.
   bool separator = false;              ///< A line above it in the menu.
   std::string_view context;            ///< "": its keys always mean it; else only in that context, and first.
   /// Why it cannot be done now; "" if it can. Null: it always can.
@@ -30,6 +31,11 @@ struct CommandRow {
     return reason == nullptr ? std::string() : reason(state);
   }
 };
+
+/// The names that rows have as their menu, in order: those of the menu bar, "Panels" and "Layout" being menus of View.
+std::span<const std::string_view> command_menus();
+/// The menu that a menu is in; "" for the menu bar.
+std::string_view menu_above(std::string_view menu);
 
 /// The whole table, in the order of the menus.
 const std::vector<CommandRow>& command_table();

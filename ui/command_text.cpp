@@ -156,6 +156,9 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
   if (const auto* edit = std::get_if<CommitEdit>(&command)) return std::visit(EditText{project}, edit->edit);
   if (std::holds_alternative<Undo>(command)) return "trocar undo " + project;
   if (std::holds_alternative<Redo>(command)) return "trocar redo " + project;
+  if (const auto* go = std::get_if<GoToHistory>(&command)) {
+    return fmt::format("trocar history {} --go {}", project, go->node);
+  }
   if (const auto* open = std::get_if<OpenProject>(&command)) {
     return (open->create ? "trocar new " : "trocar-workbench ") + shell_word(open->path.string());
   }

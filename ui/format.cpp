@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 
@@ -68,6 +69,12 @@ std::string short_hash(std::uint64_t hash) {
 std::string shown_time(const std::string& iso) {
   if (iso.size() < 16 || iso[10] != 'T') return iso;
   return fmt::format("{} {}", iso.substr(0, 10), iso.substr(11, 5));
+}
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
 }
 
 std::string shown_path(const std::filesystem::path& path) {

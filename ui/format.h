@@ -28,6 +28,8 @@ std::string number(double value);
 std::string short_hash(std::uint64_t hash);
 /// "2026-03-01 12:03" of an ISO 8601 time; anything else as it is.
 std::string shown_time(const std::string& iso);
+/// "undo layout" of "Undo layout": the letters of English.
+std::string lower_case(std::string_view text);
 /// "~/work/a.trocar": the home folder shortened.
 std::string shown_path(const std::filesystem::path& path);
 

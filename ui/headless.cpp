@@ -151,6 +151,11 @@ Result<UiRunReport> run_headless(const UiRunOptions& options) {
   Settings settings;
   settings.scale = static_cast<float>(options.scale);
   settings.theme = options.theme;
+  if (options.panel) {
+    Tile alone;
+    alone.panels = {*options.panel};
+    settings.layout() = std::move(alone);
+  }
   TROCAR_ASSIGN_OR_RETURN(const std::unique_ptr<Application> application,
                           Application::create(*window, workbench, std::move(settings)));
   UiRunReport report;

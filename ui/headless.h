@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "engine/core/progress.h"
 #include "engine/core/result.h"
 #include "ui/theme.h"
+#include "ui/tile_tree.h"
 
 namespace trocar::ui {
 
@@ -18,6 +20,7 @@ struct UiRunOptions {
   int height = 900;
   double scale = 1.0;  ///< 0.75 … 3.
   ThemeKind theme = ThemeKind::kDark;
+  std::optional<PanelId> panel;        ///< Alone in the window; none: as the workspace has them.
   bool dump = false;                   ///< Fill `UiRunReport::dump`.
   const Progress* progress = nullptr;  ///< Cancelled: the run ends at the next frame, and all jobs with it.
 };

@@ -20,7 +20,7 @@ namespace {
 bool draw_row(Ui& ui, const CommandRow& row, const std::string& reason, bool chosen) {
   const float height = ui.px(30);
   const ImVec2 at = ImGui::GetCursorPos();
-  const std::string keys = row.keys.empty() ? std::string() : std::string(row.keys.front());
+  const std::string keys(shown_keys(ui, row.id));
   const bool clicked = selectable_row(ui, row.title, chosen, reason.empty() ? "" : "disabled",
                                       {.shortcut = keys, .reason = reason, .height = height});
   const ImVec2 next = ImGui::GetCursorPos();

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "engine/workbench/command.h"
+#include "ui/keymap.h"
+#include "ui/layouts.h"
+#include "ui/tile_moves.h"
 #include "ui/tile_tree.h"
 
 namespace trocar::ui {
@@ -30,8 +33,17 @@ enum class UiAction {
   kResetLayout,
   kMaximise,
   kCopyCommand,
+  kShowKeys,
+  kShowHelp,  ///< Of the panel under the pointer.
+  kShowLayouts,
+  kUndoLayout,
+  kRedoLayout,
+  kClosePanel,
+  kEqualise,
+  kHideLeft,
+  kHideRight,
 };
-/// Brings a panel to the front of its tile.
+/// Brings a panel to the front of its tile; opens it if it was closed.
 struct ShowPanel {
   PanelId panel = PanelId::kLibrary;
 };
@@ -42,12 +54,29 @@ struct ShowWorkspace {
 struct BeginEdit {
   demonstration::Edit edit;
 };
+/// Which keys mean what, from now on.
+struct ChooseKeys {
+  KeyChoices keys;
+};
+/// Puts the panel under the pointer, or the one that the keyboard is in, into another tile.
+struct MovePanel {
+  Side side = Side::kLeft;
+};
+/// The tiles of the workspace from now on.
+struct Arrange {
+  Tile layout;
+};
+/// The layouts that are kept by name, of the workspace.
+struct KeepLayouts {
+  std::vector<NamedLayout> layouts;
+};
 /// Puts words on the clipboard.
 struct CopyText {
   std::string text;
 };
 
-using Request = std::variant<workbench::Command, UiAction, ShowPanel, ShowWorkspace, BeginEdit, CopyText>;
+using Request = std::variant<workbench::Command, UiAction, ShowPanel, ShowWorkspace, ChooseKeys, MovePanel, Arrange,
+                             KeepLayouts, BeginEdit, CopyText>;
 using Requests = std::vector<Request>;
 
 }  // namespace trocar::ui

@@ -1,8 +1,11 @@
 #include "ui/settings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "engine/core/file.h"
@@ -13,11 +16,19 @@ namespace {
 
 using Json = nlohmann::json;
 
-void read_layouts(const Json& json, Settings& settings) {
+std::optional<Tile> layout_from(const Json& json, const std::string& workspace, Diagnostics& diagnostics) {
+  Result<Tile> layout = tile_from_json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  if (layout) return std::move(*layout);
+  diagnostics.warn(
+      fmt::format("in the settings, of the workspace {}, {}; it was left out", workspace, layout.error().text()));
+  return {};
+}
+
+void read_layouts(const Json& json, Settings& settings, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
     const std::string name(title(static_cast<Workspace>(i)));
     if (!json.contains(name)) continue;
-    if (Result<Tile> layout = tile_from_json(json[name].dump())) settings.layouts[i] = std::move(*layout);
+    if (auto layout = layout_from(json[name], name, diagnostics)) settings.layouts[i] = std::move(*layout);
   }
 }
 
@@ -38,6 +49,34 @@ Json names_of_lanes(std::uint32_t hidden) {
   return names;
 }
 
+void read_named_layouts(const Json& json, Settings& settings, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
+    const std::string name(title(static_cast<Workspace>(i)));
+    if (!json.contains(name) || !json[name].is_object()) continue;
+    for (const auto& [label, tree] : json[name].items()) {
+      if (auto layout = layout_from(tree, name, diagnostics)) settings.named[i].push_back({label, std::move(*layout)});
+    }
+  }
+}
+
+Json json_of_layouts(const Settings& settings) {
+  Json layouts = Json::object();
+  for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
+    layouts[std::string(title(static_cast<Workspace>(i)))] = Json::parse(to_json(settings.layouts[i]));
+  }
+  return layouts;
+}
+
+Json json_of_named_layouts(const Settings& settings) {
+  Json named = Json::object();
+  for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
+    Json own = Json::object();
+    for (const NamedLayout& layout : settings.named[i]) own[layout.name] = Json::parse(to_json(layout.tree));
+    if (!own.empty()) named[std::string(title(static_cast<Workspace>(i)))] = std::move(own);
+  }
+  return named;
+}
+
 }  // namespace
 
 std::filesystem::path settings_path() {
@@ -47,8 +86,11 @@ std::filesystem::path settings_path() {
   return std::filesystem::path(home == nullptr ? "." : home) / ".config/trocar/workbench.json";
 }
 
-Result<Settings> settings_from_json(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
+Result<Settings> settings_from_json(std::string_view text, Diagnostics& diagnostics) {
+  // What lies deeper than any layout can be is left out before anything walks down into it.
+  constexpr int kDeepest = 64;
+  const Json json = Json::parse(
+      text, [](int depth, Json::parse_event_t, Json&) { return depth < kDeepest; }, false);
   if (!json.is_object()) return fail(ErrorCode::kCorrupt, "the settings are not a JSON object");
   Settings settings;
   if (json.contains("scale") && json["scale"].is_number()) {
@@ -62,7 +104,14 @@ Result<Settings> settings_from_json(std::string_view text) {
     const auto workspace = json["workspace"].get<std::size_t>();
     if (workspace < kWorkspaceCount) settings.workspace = static_cast<Workspace>(workspace);
   }
-  if (json.contains("layouts") && json["layouts"].is_object()) read_layouts(json["layouts"], settings);
+  if (json.contains("layouts") && json["layouts"].is_object()) read_layouts(json["layouts"], settings, diagnostics);
+  if (json.contains("named_layouts") && json["named_layouts"].is_object()) {
+    read_named_layouts(json["named_layouts"], settings, diagnostics);
+  }
+  if (json.contains("keys")) {
+    settings.keys =
+        key_choices_from_json(json["keys"].dump(-1, ' ', false, Json::error_handler_t::replace), diagnostics);
+  }
   if (json.contains("window") && json["window"].is_array() && json["window"].size() == 2 &&
       json["window"][0].is_number_integer() && json["window"][1].is_number_integer()) {
     settings.window = {std::clamp(json["window"][0].get<int>(), 320, 8192),
@@ -80,25 +129,31 @@ Result<Settings> settings_from_json(std::string_view text) {
 }
 
 std::string to_json(const Settings& settings) {
-  Json layouts = Json::object();
-  for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
-    layouts[std::string(title(static_cast<Workspace>(i)))] = Json::parse(to_json(settings.layouts[i]));
-  }
   const Json json{{"scale", settings.scale},
                   {"theme", std::string(name_of(settings.theme))},
                   {"workspace", static_cast<unsigned>(settings.workspace)},
-                  {"layouts", layouts},
+                  {"layouts", json_of_layouts(settings)},
+                  {"named_layouts", json_of_named_layouts(settings)},
+                  {"keys", Json::parse(to_json(settings.keys))},
                   {"window", {settings.window.width, settings.window.height}},
                   {"hidden_lanes", names_of_lanes(settings.hidden_lanes)},
                   {"recent", settings.recent}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 
-Settings load_settings(const std::filesystem::path& path) {
+Settings load_settings(const std::filesystem::path& path, Diagnostics& diagnostics) {
   const Result<std::string> text = read_file(path, std::size_t{1} << 20);
   if (!text) return {};
-  Result<Settings> settings = settings_from_json(*text);
-  return settings ? std::move(*settings) : Settings{};
+  Result<Settings> settings = settings_from_json(*text, diagnostics);
+  if (settings) return std::move(*settings);
+  // It will be written anew when the window closes; what a person wrote by hand is not lost for a comma.
+  std::filesystem::path kept = path;
+  kept += ".broken";
+  std::error_code error;
+  std::filesystem::copy_file(path, kept, std::filesystem::copy_options::overwrite_existing, error);
+  diagnostics.warn(fmt::format("{}; those of the program hold{}", settings.error().text(),
+                               error ? "" : fmt::format(", and the old ones were kept in {}", kept.string())));
+  return {};
 }
 
 Status save_settings(const Settings& settings, const std::filesystem::path& path) {

@@ -3,11 +3,10 @@
 
 #include <imgui.h>
 
-#include <array>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui/bars.h"
@@ -16,11 +15,15 @@
 #include "ui/forms/file_form.h"
 #include "ui/forms/help_forms.h"
 #include "ui/forms/import_form.h"
+#include "ui/forms/keys_form.h"
+#include "ui/forms/layouts_form.h"
 #include "ui/forms/quit_form.h"
 #include "ui/forms/record_form.h"
 #include "ui/palette.h"
 #include "ui/panel.h"
 #include "ui/settings.h"
+#include "ui/status_line.h"
+#include "ui/tile_area.h"
 
 namespace trocar::ui {
 
@@ -45,15 +48,17 @@ class Shell {
 
  private:
   Requests draw_host(Ui& ui, const WorkbenchState& state, double frames_hz);
-  void draw_tiles(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests);
-  void draw_tile(Ui& ui, const WorkbenchState& state, const PlacedTile& placed, Requests& requests);
-  void draw_tabs(Ui& ui, const Tile& tile, const Rect& rect);
-  void bring_to_front(PanelId panel);
-  void choose_front(Tile& tile) const;
   Requests draw_forms(Ui& ui, const WorkbenchState& state);
   Requests take_keys(Ui& ui, const WorkbenchState& state) const;
   /// True if the action opens a form, which is then open.
-  bool open_form(UiAction action);
+  bool open_form(UiAction action, const Ui& ui);
+  /// True if it is about tiles.
+  bool act_on_tiles(UiAction action, const Ui& ui);
+  void arrange(Tile layout);
+  void take_back(std::optional<Tile> layout, std::string_view none);
+  void show_panel(PanelId panel);
+  void choose_keys(const KeyChoices& keys);
+  void tell(std::string words);
   void act(UiAction action, const Ui& ui, const WorkbenchState& state, ShellResult& result);
   void resolve(const Requests& requests, const Ui& ui, const WorkbenchState& state, ShellResult& result);
   /// A project that was dropped is opened, any other file looked at for import.
@@ -62,7 +67,8 @@ class Shell {
 
   Settings& settings_;
   std::shared_ptr<SharedTime> time_ = std::make_shared<SharedTime>();
-  std::array<std::unique_ptr<Panel>, kPanelCount> panels_;
+  TileArea tiles_{time_};
+  LayoutHistory history_;
   RecordForm record_;
   FileForm file_;
   ImportForm import_;
@@ -70,15 +76,16 @@ class Shell {
   VideoForm video_;
   FieldForm field_;
   ShortcutForm shortcuts_;
+  PageForm page_;
+  KeysForm keys_{settings_};
+  LayoutsForm layouts_{settings_};
   AboutForm about_;
   QuitForm quit_;
   Palette palette_;
   StatusLine status_;
+  std::string seen_done_;  ///< What the workbench did last, as it was told.
   ImVec2 pointer_when_done_;
-  std::optional<PanelId> maximised_;
-  std::array<std::uint64_t, kPanelCount> fronted_{};  ///< The larger, the later a panel was brought to the front.
-  std::uint64_t front_counter_ = 1;
-  PanelId pointed_ = PanelId::kView;  ///< Under the mouse.
+  std::shared_ptr<const Keymap> keymap_;
 };
 
 /// The scale in use: the settings' own, or the screen's.

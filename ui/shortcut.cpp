@@ -13,7 +13,7 @@ struct NamedKey {
   std::string_view name;
   Key key;
 };
-constexpr std::array<NamedKey, 25> kNames{{
+constexpr std::array<NamedKey, 31> kNames{{
     {"Space", Key::kSpace},
     {"Escape", Key::kEscape},
     {"Enter", Key::kEnter},
@@ -38,6 +38,12 @@ constexpr std::array<NamedKey, 25> kNames{{
     {"=", Key::kEqual},
     {"[", Key::kLeftBracket},
     {"]", Key::kRightBracket},
+    {"\\", Key::kBackslash},
+    {"`", Key::kGrave},
+    {"KeypadPoint", Key::kKeypadPoint},
+    {"KeypadDivide", Key::kKeypadDivide},
+    {"KeypadMinus", Key::kKeypadMinus},
+    {"KeypadPlus", Key::kKeypadPlus},
     {"KeypadEnter", Key::kKeypadEnter},
 }};
 
@@ -54,6 +60,11 @@ std::optional<Key> key_from(std::string_view name) {
   }
   if (name.size() == 1 && std::isalnum(static_cast<unsigned char>(name[0])) != 0) {
     return static_cast<Key>(std::toupper(static_cast<unsigned char>(name[0])));
+  }
+  constexpr std::string_view kKeypad = "Keypad";
+  if (name.size() == kKeypad.size() + 1 && same(name.substr(0, kKeypad.size()), kKeypad) && name.back() >= '0' &&
+      name.back() <= '9') {
+    return static_cast<Key>(static_cast<int>(Key::kKeypad0) + name.back() - '0');
   }
   if (name.size() >= 2 && name.size() <= 3 && (name[0] == 'F' || name[0] == 'f')) {
     int number = 0;
@@ -102,6 +113,8 @@ std::string to_text(const Chord& chord) {
   const int code = static_cast<int>(chord.key);
   const int f1 = static_cast<int>(Key::kF1);
   if (code >= f1 && code <= static_cast<int>(Key::kF12)) return text + "F" + std::to_string(code - f1 + 1);
+  const int digit = code - static_cast<int>(Key::kKeypad0);
+  if (digit >= 0 && digit <= 9) return text + "Keypad" + std::to_string(digit);
   return text + static_cast<char>(code);
 }
 

@@ -19,7 +19,7 @@ struct Chord {
 /// Names are those of `to_text`; letters in either case. Errors: kInvalidArgument naming the part that is no key.
 Result<Chord> chord_from(std::string_view text);
 std::string to_text(const Chord& chord);
-/// "A" … "Z", "0" … "9", "F1" … "F12", "Left", "Home", "Space", "Enter", "Escape", "," and their kin.
+/// "A" … "Z", "0" … "9", "F1" … "F12", "Left", "Home", "Space", "Enter", "Escape", ",", "Keypad7" and their kin.
 std::optional<Key> key_from(std::string_view name);
 
 /// True in the frame in which the chord is pressed, exactly these modifiers held.

@@ -50,6 +50,7 @@ struct Group {
 std::vector<Group> groups_of(Tile& tile, float room, float gap, float least) {
   std::vector<Group> groups;
   for (std::size_t i = 0; i < tile.children.size(); ++i) {
+    if (tile.children[i].hidden) continue;
     std::vector<PanelId> panels;
     collect_panels(tile.children[i], panels);
     groups.push_back({{&tile.children[i]}, tile.shares[i], panels.size()});
@@ -115,6 +116,8 @@ void place_into(Tile& tile, const Rect& rect, const PlaceOptions& options, Place
   const float whole = row ? rect.width() : rect.height();
   const std::vector<Group> groups = groups_of(tile, whole, gap, least);
   const auto count = groups.size();
+  const auto apart =
+      std::count_if(tile.children.begin(), tile.children.end(), [](const Tile& child) { return !child.hidden; });
   const std::vector<float> sizes = sizes_of(groups, whole - gap * static_cast<float>(count - 1), least);
   std::vector<float> edges{row ? rect.x0 : rect.y0};
   for (std::size_t i = 0; i < count; ++i) {
@@ -124,26 +127,31 @@ void place_into(Tile& tile, const Rect& rect, const PlaceOptions& options, Place
     place_group(groups[i], child, options, out);
     edges.push_back(end + gap);
   }
-  if (count < tile.children.size()) {
+  if (count < static_cast<std::size_t>(apart)) {
     // Shares of tiles that are not apart now cannot be dragged; the gaps between the groups stay gaps.
     return;
   }
+  const int first = tile.children.front().hidden ? 1 : 0;
   for (std::size_t i = 0; i + 1 < count; ++i) {
     const float low = edges[i + 1] - gap;
     const Rect bar = row ? Rect{low, rect.y0, low + gap, rect.y1} : Rect{rect.x0, low, rect.x1, low + gap};
-    out.splitters.push_back({&tile, static_cast<int>(i), row, bar, edges[i], edges[i + 2] - gap});
+    out.splitters.push_back({&tile, first + static_cast<int>(i), row, bar, edges[i], edges[i + 2] - gap});
   }
 }
 
 Json json_of(const Tile& tile) {
+  Json json = Json::object();
   if (tile.kind == Tile::Kind::kTabs) {
     Json names = Json::array();
     for (const PanelId panel : tile.panels) names.push_back(std::string(title(panel)));
-    return {{"tabs", names}, {"active", tile.active}};
+    json = {{"tabs", std::move(names)}, {"active", tile.active}};
+  } else {
+    Json children = Json::array();
+    for (const Tile& child : tile.children) children.push_back(json_of(child));
+    json = {{tile.kind == Tile::Kind::kRow ? "row" : "column", std::move(children)}, {"shares", tile.shares}};
   }
-  Json children = Json::array();
-  for (const Tile& child : tile.children) children.push_back(json_of(child));
-  return {{tile.kind == Tile::Kind::kRow ? "row" : "column", children}, {"shares", tile.shares}};
+  if (tile.hidden) json["hidden"] = true;
+  return json;
 }
 
 tl::unexpected<Error> no_layout(const std::string& why) {
@@ -183,8 +191,12 @@ Result<Tile> tile_of(const Json& json, std::set<PanelId>& seen, int depth) {
     if (!(share > 0.0F) || share > 1.0F) return no_layout("a share is not between 0 and 1");
     tile.shares.push_back(share);
     TROCAR_ASSIGN_OR_RETURN(Tile child, tile_of(children[i], seen, depth + 1));
+    const bool at_side = depth == 0 && row && (i == 0 || i + 1 == children.size());
+    child.hidden = at_side && children[i].contains("hidden") && children[i]["hidden"] == true;
     tile.children.push_back(std::move(child));
   }
+  if (std::all_of(tile.children.begin(), tile.children.end(), [](const Tile& child) { return child.hidden; }))
+    tile.children.front().hidden = false;
   const float sum = std::accumulate(tile.shares.begin(), tile.shares.end(), 0.0F);
   for (float& share : tile.shares) share /= sum;
   return tile;
@@ -235,6 +247,22 @@ Tile* find_panel(Tile& root, PanelId panel) {
   return nullptr;
 }
 
+const Tile* find_panel(const Tile& root, PanelId panel) {
+  return find_panel(const_cast<Tile&>(root),
+                    panel);  // NOLINT(cppcoreguidelines-pro-type-const-cast): nothing is changed
+}
+
+std::vector<PanelId> panels_of(const Tile& root) {
+  std::vector<PanelId> panels;
+  collect_panels(root, panels);
+  return panels;
+}
+
+bool same_places(const Tile& a, const Tile& b) {
+  return a.kind == b.kind && a.hidden == b.hidden && a.panels == b.panels && a.shares == b.shares &&
+         std::equal(a.children.begin(), a.children.end(), b.children.begin(), b.children.end(), same_places);
+}
+
 Tile default_layout(Workspace workspace) {
   using enum PanelId;
   constexpr auto row = Tile::Kind::kRow;
@@ -276,7 +304,6 @@ Result<Tile> tile_from_json(std::string_view text) {
   if (json.is_discarded()) return no_layout("it is not JSON");
   std::set<PanelId> seen;
   TROCAR_ASSIGN_OR_RETURN(Tile root, tile_of(json, seen, 0));
-  if (seen.size() != kPanelCount) return no_layout("a panel is missing");
   return root;
 }
 

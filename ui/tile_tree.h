@@ -46,7 +46,12 @@ struct Tile {
   std::vector<float> shares;    ///< One for each child, their sum is 1.
   std::vector<PanelId> panels;  ///< Of a tab group.
   int active = 0;               ///< The panel in front.
+  /// Put away for now, with all that is in it. Only the first and the last child of a row that is the root can be, and
+  /// never all of its children.
+  bool hidden = false;
 };
+/// What lies where, whichever panels are in front.
+bool same_places(const Tile& a, const Tile& b);
 
 struct PlacedTile {
   Tile* tile = nullptr;
@@ -81,12 +86,15 @@ void move_splitter(const PlacedSplitter& splitter, float position, float smalles
 /// Gives all children of the splitter's parent the same share.
 void equalise(const PlacedSplitter& splitter);
 
-/// The tab group that holds a panel; null if none.
+/// The tab group that holds a panel, hidden or not; null if none.
 Tile* find_panel(Tile& root, PanelId panel);
+const Tile* find_panel(const Tile& root, PanelId panel);
+std::vector<PanelId> panels_of(const Tile& root);
 Tile default_layout(Workspace workspace);
 
 std::string to_json(const Tile& root);
-/// Errors: kCorrupt for what is no layout: an unknown panel, one twice, shares that do not fit.
+/// Errors: kCorrupt for what is no layout: an unknown panel, one twice, shares that do not
+/// fit. Panels that are missing are closed.
 Result<Tile> tile_from_json(std::string_view text);
 
 }  // namespace trocar::ui

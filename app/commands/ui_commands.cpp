@@ -5,6 +5,7 @@
 #include "engine/core/file.h"
 #include "ui/driver/script.h"
 #include "ui/headless.h"
+#include "ui/manual.h"
 
 namespace trocar::app {
 namespace {
@@ -94,12 +95,32 @@ Result<Answer> run_dump(const UiArguments& arguments, Console& console) {
   return answer;
 }
 
+void bind_manual(CLI::App& verb, UiArguments& arguments) {
+  verb.add_option("--out", arguments.out, "DIR: the folder to write the pages into")->required();
+  verb.add_option("--project", arguments.project, "The project to show in the pictures; else one is made for them");
+}
+
+Result<Answer> run_manual(const UiArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const ui::ManualReport report,
+                          ui::write_manual({arguments.out, arguments.project, &console.progress()}));
+  Answer answer;
+  answer.json = {
+      {"commands", report.commands}, {"panels", report.panels}, {"pages", report.pages}, {"pictures", report.pictures}};
+  answer.summary = fmt::format("{}, {}, {}", counted(static_cast<std::size_t>(report.pages), "page"),
+                               counted(static_cast<std::size_t>(report.commands), "command"),
+                               counted(static_cast<std::size_t>(report.panels), "panel"));
+  answer.text = fmt::format("Wrote {}: {}", arguments.out, answer.summary);
+  return answer;
+}
+
 }  // namespace
 
 void add_ui_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun = *root.add_subcommand("ui", "The workbench without a display")->require_subcommand(1);
   add_verb<UiArguments>(noun, chosen, "run", "Use the window from a script and take pictures of it", bind_run, run_run);
   add_verb<UiArguments>(noun, chosen, "dump", "Print the list of widgets", bind_dump, run_dump);
+  add_verb<UiArguments>(noun, chosen, "manual", "Write the manual: commands, keys, panels with their pictures",
+                        bind_manual, run_manual);
 }
 
 }  // namespace trocar::app

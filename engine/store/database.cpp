@@ -8,7 +8,7 @@
 namespace trocar::store {
 namespace {
 
-constexpr int kBusyTimeout_ms = 500;
+constexpr int kPatience_ms = 500;
 
 /// `system` is the reason that the system gave, 0 if none.
 Error describe(int code, const char* detail, int system) {
@@ -107,7 +107,7 @@ Result<Database> Database::open(const std::filesystem::path& path, Access access
   const int code = sqlite3_open_v2(name.c_str(), &connection, flags, nullptr);
   Database database(connection, path);
   if (code != SQLITE_OK) return database.failure(code);
-  sqlite3_busy_timeout(connection, kBusyTimeout_ms);
+  database.set_patience_ms(kPatience_ms);
   sqlite3_db_config(connection, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(connection, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   return database;
@@ -115,6 +115,7 @@ Result<Database> Database::open(const std::filesystem::path& path, Access access
 
 tl::unexpected<Error> Database::failure(int code) const {
   const char* detail = connection_ ? sqlite3_errmsg(connection_.get()) : sqlite3_errstr(code);
+  held_elsewhere_ = (code & 0xFF) == SQLITE_BUSY;
   const int system = connection_ ? sqlite3_system_errno(connection_.get()) : 0;
   return tl::unexpected(describe(code, detail, system).at(path_.string()));
 }
@@ -149,7 +150,10 @@ Status Database::query(std::string_view sql, std::initializer_list<Value> values
   const Use use(statement);
   for (;;) {
     const int code = sqlite3_step(statement);
-    if (code == SQLITE_DONE) return {};
+    if (code == SQLITE_DONE) {
+      held_elsewhere_ = false;
+      return {};
+    }
     if (code != SQLITE_ROW) return failure(code);
     TROCAR_RETURN_IF_ERROR(visit(Row(statement)));
   }
@@ -168,6 +172,10 @@ Result<std::int64_t> Database::integer(std::string_view sql, std::initializer_li
     return Status();
   }));
   return missing;
+}
+
+void Database::set_patience_ms(int patience_ms) {
+  sqlite3_busy_timeout(connection_.get(), patience_ms);
 }
 
 std::int64_t Database::last_id() const {

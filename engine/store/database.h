@@ -53,6 +53,11 @@ class Database {
   /// The first column of the first row, or `missing`.
   Result<std::int64_t> integer(std::string_view sql, std::initializer_list<Value> values, std::int64_t missing);
 
+  /// How long a statement waits for other programs to finish writing; 500 ms to begin with.
+  void set_patience_ms(int patience_ms);
+  /// The last statement failed because another program is writing, and for no other reason.
+  bool held_elsewhere() const { return held_elsewhere_; }
+
   std::int64_t last_id() const;
   /// Rows that the last `run` changed.
   int changes() const;
@@ -73,6 +78,7 @@ class Database {
   std::unique_ptr<sqlite3, Close> connection_;
   std::unordered_map<std::string, std::unique_ptr<sqlite3_stmt, Finalize>> statements_;
   std::filesystem::path path_;
+  mutable bool held_elsewhere_ = false;
 };
 
 }  // namespace trocar::store

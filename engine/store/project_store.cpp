@@ -167,6 +167,14 @@ Status ProjectStore::snapshot(const std::function<Status()>& work) {
   return done;
 }
 
+void ProjectStore::set_patience_ms(int patience_ms) {
+  impl_->database.set_patience_ms(patience_ms);
+}
+
+bool ProjectStore::held_elsewhere() const {
+  return impl_->database.held_elsewhere();
+}
+
 Result<std::vector<JournalRow>> ProjectStore::journal() const {
   return journal_after(0);
 }

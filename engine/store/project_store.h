@@ -118,6 +118,11 @@ class ProjectStore {
   /// True if another program has changed the project since this was last asked.
   Result<bool> changed_elsewhere();
 
+  /// How long a write waits for those of other programs; 500 ms to begin with. 0: it is an error at once.
+  void set_patience_ms(int patience_ms);
+  /// The last error was that another program is writing: nothing has changed, and it can be tried again.
+  bool held_elsewhere() const;
+
   /// Of the file and its log.
   std::int64_t size_bytes() const;
   const std::filesystem::path& path() const;

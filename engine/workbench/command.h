@@ -204,12 +204,16 @@ struct ExportDemonstrations {
 struct CancelJob {
   JobId id;
 };
+/// A warning of whoever drives the workbench, for its log.
+struct Report {
+  std::string sentence;
+};
 
 using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
                              SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, SetPlayhead,
                              Play, SetSelection, ShowEdges, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset,
                              SetViewSize, SetField, SetRollouts, RecordScripted, StopRecording, TrainModel,
                              VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, ReadImport,
-                             EndImport, MakeImport, ExportDemonstrations, CancelJob>;
+                             EndImport, MakeImport, ExportDemonstrations, CancelJob, Report>;
 
 }  // namespace trocar::workbench

@@ -394,6 +394,14 @@ Result<std::int64_t> ProjectFile::add_model(const ModelEntry& entry, const Progr
   return node;
 }
 
+void ProjectFile::set_patience_ms(int patience_ms) {
+  impl_->store.set_patience_ms(patience_ms);
+}
+
+bool ProjectFile::held_elsewhere() const {
+  return impl_->store.held_elsewhere();
+}
+
 Status ProjectFile::set_setting(const std::string& key, const std::string& value) {
   return impl_->store.set_setting(key, value);
 }

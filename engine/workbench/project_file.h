@@ -93,6 +93,11 @@ class ProjectFile {
   Result<std::vector<DemonstrationId>> import_recordings(const std::string& file,
                                                          const std::vector<NewRecording>& recordings);
 
+  /// As of `ProjectStore`: how long a change waits for those of other programs, and whether the last one failed for no
+  /// other reason.
+  void set_patience_ms(int patience_ms);
+  bool held_elsewhere() const;
+
   Status set_setting(const std::string& key, const std::string& value);
   Result<std::optional<std::string>> setting(const std::string& key) const;
   std::int64_t size_bytes() const;

@@ -13,6 +13,7 @@ using demonstration::RecordingId;
 using demonstration::Sample;
 
 constexpr std::size_t kSamplesPerChunk = 50;
+constexpr int kPatience_ms = 500;
 
 }  // namespace
 
@@ -33,6 +34,15 @@ struct RecordingWriter::Impl {
   ~Impl() {
     // A failure only delays the recovery until this program ends.
     if (open) (void)store.abandon_recording(id.value);
+  }
+
+  /// What another program's writing holds up stays for the next time; a recording does not wait for it.
+  Status flush_if_free() {
+    constexpr std::size_t kMostPending = 200 * 30;  // half a minute
+    store.set_patience_ms(0);
+    Status flushed = flush();
+    store.set_patience_ms(kPatience_ms);
+    return flushed || !store.held_elsewhere() || pending.size() >= kMostPending ? flushed : Status();
   }
 
   Status flush() {
@@ -72,7 +82,7 @@ Status RecordingWriter::add(const Sample& sample) {
   impl_->hasher.add(sample);
   impl_->last = sample;
   ++impl_->count;
-  return impl_->pending.size() >= kSamplesPerChunk ? impl_->flush() : Status();
+  return impl_->pending.size() >= kSamplesPerChunk ? impl_->flush_if_free() : Status();
 }
 
 Status RecordingWriter::mark(const HashMark& mark) {

@@ -73,6 +73,8 @@ void Workbench::Impl::keep_project(const std::string& why) {
 void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
   // The recording writes into the project that is open.
   if (recording) return keep_project("Stop the recording before opening another project");
+  if (!waiting_writes.empty()) log(Severity::kError, "What waited for the other project was given up");
+  waiting_writes.clear();
   file = std::move(opened);
   state.clipboard.reset();
   state.selection.reset();
@@ -187,6 +189,7 @@ bool Workbench::Impl::poll() {
   poll_recording();
   poll_jobs();
   poll_import();
+  retry_writes();
   if (insight.update()) {
     state.insight = insight.answer();
     dirty = true;
@@ -217,8 +220,8 @@ bool Workbench::poll() {
 }
 
 bool Workbench::busy() const {
-  return impl_->jobs.busy() || impl_->opening.busy() || impl_->reading.busy() || impl_->recording ||
-         impl_->state.play_speed != 0.0 || impl_->insight.pending() || impl_->preview.pending() ||
+  return impl_->jobs.busy() || !impl_->waiting_writes.empty() || impl_->opening.busy() || impl_->reading.busy() ||
+         impl_->recording || impl_->state.play_speed != 0.0 || impl_->insight.pending() || impl_->preview.pending() ||
          impl_->review.pending() || impl_->preview_review.pending() || impl_->curves.pending() ||
          impl_->comparison.pending() || (impl_->view && impl_->view->busy());
 }

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "engine/demonstration/join.h"
 #include "engine/workbench/jobs/field_job.h"
 #include "engine/workbench/jobs/film_job.h"
 #include "engine/workbench/jobs/train_job.h"
@@ -41,41 +40,6 @@ void Workbench::Impl::on(const OpenProject& command) {
                      }};
   };
   opening.start("Open " + command.path.filename().string(), work, true);
-}
-
-void Workbench::Impl::on(const CommitEdit& command) {
-  if (!project_open()) return;
-  const auto* change = std::get_if<EditDemonstration>(&command.edit);
-  const auto before = change == nullptr ? nullptr : demonstration(change->demonstration);
-  const Result<std::int64_t> id = file->commit(command.edit);
-  if (!id) return log(Severity::kError, id.error().text());
-  refresh_document();
-  std::string sentence = file->history().back().description;
-  const auto after = before == nullptr ? nullptr : demonstration(before->id);
-  if (after != nullptr) {
-    const std::string joins = demonstration::sentence_of(demonstration::joins_of(change->edit, *before, *after));
-    if (!joins.empty()) sentence += "; " + joins;
-    if (before->id == state.demonstration) follow(change->edit, *before, *after);
-  }
-  tell(std::move(sentence));
-}
-
-void Workbench::Impl::on(const Undo&) {
-  if (!project_open()) return;
-  const std::string undone = description_of(file->head());
-  if (!succeeded(file->undo())) return;
-  refresh_document();
-  tell("Undid: " + undone);
-}
-
-void Workbench::Impl::on(const Redo&) {
-  if (!project_open() || !succeeded(file->redo())) return;
-  refresh_document();
-  tell("Did again: " + description_of(file->head()));
-}
-
-void Workbench::Impl::on(const GoToHistory& command) {
-  if (project_open() && succeeded(file->go_to(command.node))) refresh_document();
 }
 
 void Workbench::Impl::on(const PreviewEdit& command) {
@@ -167,14 +131,7 @@ void Workbench::Impl::on(const TrainModel& command) {
     if (!trained) return tl::unexpected(std::move(trained).error());
     auto entry = std::make_shared<const ModelEntry>(std::move(*trained));
     const std::string message = fmt::format("trained in {:.2f} s", entry->model->seconds);
-    // Into the project that it was learned from, even if another is open by now.
-    return JobResult{message, [this, entry, owner]() -> Status {
-                       TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, owner->add_model(*entry, Progress()));
-                       if (owner != file) return {};
-                       state.model = ModelId{id};
-                       refresh_document();
-                       return {};
-                     }};
+    return JobResult{message, [this, entry, owner] { return keep_model(owner, entry); }};
   };
   const std::string name = command.name.empty() ? model_name(command) : command.name;
   jobs.start("Train " + name, work);
@@ -225,6 +182,10 @@ void Workbench::Impl::on(const ExportField& command) {
     return JobResult{"written", {}};
   };
   jobs.start("Export " + command.path.filename().string(), work);
+}
+
+void Workbench::Impl::on(const Report& command) {
+  log(Severity::kWarning, command.sentence);
 }
 
 void Workbench::Impl::on(const CancelJob& command) {

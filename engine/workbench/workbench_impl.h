@@ -1,6 +1,8 @@
 /// The inside of `Workbench`: what each command does. Private to the module.
 #pragma once
 
+#include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,6 +58,7 @@ struct Workbench::Impl {
   void on(const MakeImport& command);
   void on(const ExportDemonstrations& command);
   void on(const CancelJob& command);
+  void on(const Report& command);
 
   void log(Severity severity, std::string text);
   /// Logs an error; false if there was one.
@@ -90,6 +93,16 @@ struct Workbench::Impl {
   /// Playhead and selection after an edit that took something out or put something in.
   void follow(const demonstration::Edit& edit, const demonstration::Demonstration& before,
               const demonstration::Demonstration& after);
+  /// Changes the document now, or once other programs have finished writing to it, in order: the interface does not
+  /// wait for them. `attempt` is false if it was held up.
+  void write(std::function<bool()> attempt);
+  bool attempt_now(const std::function<bool()>& attempt);
+  void retry_writes();
+  bool commit(const CommitEdit& command);
+  /// Undo, redo and their like.
+  bool move(const std::function<Status()>& step);
+  /// Into the project that it was learned from, even if another is open by now.
+  Status keep_model(const std::shared_ptr<ProjectFile>& owner, const std::shared_ptr<const ModelEntry>& entry);
   void poll_recording();
   bool poll();
   void poll_jobs();
@@ -112,6 +125,8 @@ struct Workbench::Impl {
   CurvesRequest curves_wanted;
   ComparisonRequest comparison_wanted;
   std::shared_ptr<const Project> compared_in;
+  std::deque<std::function<bool()>> waiting_writes;
+  double waiting_since_s = 0.0;  ///< The first of them.
   double last_poll_s = 0.0;
   bool dirty = false;
   JobRunner jobs;     // their threads end first

@@ -1,6 +1,7 @@
 """The window: every script of tests/gui without a display, and once a real window under a virtual X server."""
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import time
@@ -23,6 +24,27 @@ class GuiScriptsTest(CommandLineTest):
                 self.answer("ui", "run", "--project", self.recorded_project(), "--script", script, "--screenshot", picture,
                             code=DONE)
                 self.assertGreater(picture.stat().st_size, 10_000)
+
+
+class ManualTest(CommandLineTest):
+    def test_the_manual_is_written_with_a_picture_of_every_panel(self):
+        folder = self.folder / "manual"
+        answer = self.answer("ui", "manual", "--out", folder, "--project", self.recorded_project(), code=DONE)
+        pictures = re.findall(r"\]\((panels/.*\.png)\)", (folder / "panels.md").read_text())
+        self.assertEqual(len(pictures), answer["panels"])
+        for picture in pictures:
+            self.assertGreater((folder / picture).stat().st_size, 5_000)
+        self.assertIn("`trocar undo P`", (folder / "commands.md").read_text())
+        self.assertIn("Blender-like", (folder / "keys.md").read_text())
+        for link in re.findall(r"\]\((\w+\.md)\)", (folder / "index.md").read_text()):
+            self.assertTrue((folder / link).exists())
+
+    def test_a_manual_has_no_place_in_a_file(self):
+        blocked = self.folder / "file"
+        blocked.write_text("mine")
+        self.refused("ui", "manual", "--out", blocked / "manual", "--project", self.recorded_project(), code=3,
+                     saying="manual")
+        self.assertEqual(blocked.read_text(), "mine")
 
 
 @unittest.skipUnless(WORKBENCH.exists() and shutil.which("Xvfb") and shutil.which("xdotool"),

@@ -33,9 +33,10 @@ Requests Form::draw(Ui& ui, const WorkbenchState& state) {
     const bool crossed =
         icon_button(ui, "Close", {.icon = icon::kCross, .shortcut = "Escape", .style = ButtonStyle::kQuiet});
     ImGui::Dummy({0.0F, ui.px(2)});
+    const bool keeps_escape = this->keeps_escape();
     requests = draw_content(ui, state);
-    const bool escaped =
-        ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && ui.input().pressed(Key::kEscape);
+    const bool escaped = !keeps_escape && ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) &&
+                         ui.input().pressed(Key::kEscape);
     if (crossed || escaped) close();
   }
   last_height_ = ImGui::GetWindowSize().y;

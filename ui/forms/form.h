@@ -21,6 +21,8 @@ class Form {
   virtual float width() const { return 400.0F; }  ///< Pixels at 100 %.
   virtual float height() const { return 0.0F; }   ///< 0: as needed.
   virtual void prepare(const WorkbenchState&) {}  ///< When it opens.
+  /// Esc is for something in the form, which stays open.
+  virtual bool keeps_escape() const { return false; }
   virtual Requests draw_content(Ui& ui, const WorkbenchState& state) = 0;
 
  private:

@@ -1,4 +1,4 @@
-/// The sheet of all keys, and what this program is.
+/// The sheet of all keys, the page about a panel, and what this program is.
 #pragma once
 
 #include "ui/forms/form.h"
@@ -11,6 +11,23 @@ class ShortcutForm final : public Form {
   float width() const override { return 760.0F; }
   float height() const override { return 560.0F; }
   Requests draw_content(Ui& ui, const WorkbenchState& state) override;
+};
+
+/// What a panel is for, and all that can be done there.
+class PageForm final : public Form {
+ public:
+  void open_on(PanelId panel);
+
+ protected:
+  std::string_view title() const override { return "Help"; }
+  float width() const override { return 620.0F; }
+  float height() const override { return 560.0F; }
+  Requests draw_content(Ui& ui, const WorkbenchState& state) override;
+
+ private:
+  void draw_commands(Ui& ui) const;
+
+  PanelId panel_ = PanelId::kView;
 };
 
 class AboutForm final : public Form {

@@ -58,7 +58,7 @@ void command_button(Ui& ui, const WorkbenchState& state, std::string_view id, st
                     Requests& requests) {
   const CommandRow& row = command(id);
   const std::string reason = row.reason_now(state);
-  const std::string keys = row.keys.empty() ? std::string() : std::string(row.keys.front());
+  const std::string keys(shown_keys(ui, row.id));
   if (button(ui, label, {.icon = row.icon, .help = row.help, .shortcut = keys, .reason = reason, .style = style})) {
     append(requests, row.run(state));
   }
@@ -68,7 +68,7 @@ void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requ
   const CommandRow& row = command(id);
   const std::string reason = row.reason_now(state);
   const std::string help = std::string(row.title) + ": " + std::string(row.help);
-  const std::string keys = row.keys.empty() ? std::string() : std::string(row.keys.front());
+  const std::string keys(shown_keys(ui, row.id));
   const WidgetOptions options{
       .icon = row.icon, .help = help, .shortcut = keys, .reason = reason, .style = ButtonStyle::kQuiet};
   if (icon_button(ui, row.title, options)) append(requests, row.run(state));

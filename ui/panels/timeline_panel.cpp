@@ -39,8 +39,9 @@ void TimelinePanel::draw_transport(Ui& ui, const WorkbenchState& state, const de
   ImGui::SameLine(0.0F, ui.px(2));
   const bool playing = state.play_speed != 0.0;
   const CommandRow& play = command("transport.play");
-  if (icon_button(ui, playing ? "Pause" : "Play",
-                  {.icon = playing ? icon::kPause : icon::kPlay, .help = play.help, .shortcut = "Space"})) {
+  if (icon_button(
+          ui, playing ? "Pause" : "Play",
+          {.icon = playing ? icon::kPause : icon::kPlay, .help = play.help, .shortcut = shown_keys(ui, play.id)})) {
     append(requests, play.run(state));
   }
   ImGui::SameLine(0.0F, ui.px(2));

@@ -35,7 +35,7 @@ void command_toggle(Ui& ui, const WorkbenchState& state, std::string_view id, st
                     Requests& requests) {
   const CommandRow& row = command(id);
   const std::string reason = row.reason_now(state);
-  const std::string keys = row.keys.empty() ? std::string() : std::string(row.keys.front());
+  const std::string keys(shown_keys(ui, row.id));
   const float width = ImGui::GetFrameHeight() + ui.px(4);
   flow(width, ui.px(2));
   if (toggle(ui, label, on,

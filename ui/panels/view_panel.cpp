@@ -100,7 +100,7 @@ void draw_camera_buttons(Ui& ui, const WorkbenchState& state, const Rect& rect, 
     if (i > 0) ImGui::SameLine(0.0F, ui.px(2));
     const CommandRow& row = command(kPresets[i].command);
     if (toggle(ui, kPresets[i].name, state.camera_preset == kPresets[i].preset,
-               {.help = row.help, .shortcut = row.keys.front()})) {
+               {.help = row.help, .shortcut = shown_keys(ui, row.id)})) {
       append(requests, row.run(state));
     }
   }
@@ -118,12 +118,12 @@ void draw_layer_buttons(Ui& ui, const WorkbenchState& state, const Rect& rect, R
   ground(ui, at, {at.x + width, at.y + ImGui::GetFrameHeight() + ui.px(6)});
   ImGui::SetCursorScreenPos({at.x + ui.px(3), at.y + ui.px(3)});
   const CommandRow& field = command("view.field");
-  if (toggle(ui, "Field", shows_field(state.field), {.help = field.help, .shortcut = field.keys.front()})) {
+  if (toggle(ui, "Field", shows_field(state.field), {.help = field.help, .shortcut = shown_keys(ui, field.id)})) {
     append(requests, field.run(state));
   }
   ImGui::SameLine(0.0F, ui.px(2));
   const CommandRow& ghosts = command("view.ghosts");
-  if (toggle(ui, "Ghosts", state.rollouts.ghosts, {.help = ghosts.help, .shortcut = ghosts.keys.front()})) {
+  if (toggle(ui, "Ghosts", state.rollouts.ghosts, {.help = ghosts.help, .shortcut = shown_keys(ui, ghosts.id)})) {
     append(requests, ghosts.run(state));
   }
 }

@@ -142,14 +142,17 @@ void share_bar(Ui& ui, double share, Rgba colour, ImVec2 size) {
   ImGui::Dummy(size);
 }
 
-void spinner(Ui& ui, float radius, Rgba colour) {
+void spinner_at(Ui& ui, ImVec2 centre, float radius, Rgba colour) {
   ui.animate();
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 centre{at.x + radius, at.y + radius};
   const auto turn = static_cast<float>(std::fmod(ui.now_s() * 1.2, 1.0) * 2.0 * std::numbers::pi);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PathArcTo(centre, radius - 1.5F, turn, turn + 4.2F, 20);
   list.PathStroke(to_u32(colour), ImDrawFlags_None, std::max(2.0F, radius * 0.22F));
+}
+
+void spinner(Ui& ui, float radius, Rgba colour) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  spinner_at(ui, {at.x + radius, at.y + radius}, radius, colour);
   ImGui::Dummy({2 * radius, 2 * radius});
 }
 

@@ -3,7 +3,12 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/keymap.h"
+
 namespace trocar::ui {
+
+Ui::Ui(TextureStore& textures, InputQueue& input)
+    : textures_(&textures), input_(&input), keymap_(std::make_shared<const Keymap>()) {}
 
 float Ui::px(float at_100) const {
   return std::round(at_100 * fonts_.scale);

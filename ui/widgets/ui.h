@@ -3,8 +3,10 @@
 
 #include <imgui.h>
 
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ui/fonts.h"
 #include "ui/textures.h"
@@ -15,15 +17,20 @@
 
 namespace trocar::ui {
 
+class Keymap;
+
 /// Lives for the whole session; valid during a frame. Threads: that of the window.
 class Ui {
  public:
-  Ui(TextureStore& textures, InputQueue& input) : textures_(&textures), input_(&input) {}
+  Ui(TextureStore& textures, InputQueue& input);
 
   const Theme& theme() const { return theme_; }
   const Fonts& fonts() const { return fonts_; }
   TextureStore& textures() const { return *textures_; }
   const InputQueue& input() const { return *input_; }
+  /// Which keys mean which command; see `shown_keys`.
+  const Keymap& keymap() const { return *keymap_; }
+  void set_keymap(std::shared_ptr<const Keymap> keymap) { keymap_ = std::move(keymap); }
   ItemLog& items() { return items_; }
   const ItemLog& items() const { return items_; }
   /// Which widget the keyboard is on.
@@ -64,6 +71,7 @@ class Ui {
   Fonts fonts_;
   TextureStore* textures_;
   InputQueue* input_;
+  std::shared_ptr<const Keymap> keymap_;
   ItemLog items_;
   std::string hint_;
   std::string shown_hint_;

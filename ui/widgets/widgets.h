@@ -84,6 +84,8 @@ float button_width(const Ui& ui, std::string_view label, const char* icon);
 /// A thin bar for a share, drawn in place, no item of its own.
 void share_bar(Ui& ui, double share, Rgba colour, ImVec2 size);
 void spinner(Ui& ui, float radius, Rgba colour);
+/// The same without taking room.
+void spinner_at(Ui& ui, ImVec2 centre, float radius, Rgba colour);
 
 void text(Ui& ui, std::string_view words);
 void dim_text(Ui& ui, std::string_view words);

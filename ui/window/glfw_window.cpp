@@ -43,6 +43,8 @@ class GlfwWindow final : public Window {
   float content_scale() const override;
   double now_s() const override { return glfwGetTime(); }
   void poll(double timeout_s) override;
+  bool wants_frame() const override { return damaged_ || input().pending(); }
+  bool focused() const override { return glfwGetWindowAttrib(handle_.get(), GLFW_FOCUSED) != 0; }
   bool take_close_request() override;
   void set_title(const std::string& title) override;
   void set_cursor(ImGuiMouseCursor cursor) override;
@@ -110,6 +112,7 @@ void GlfwWindow::listen() {
     for (int i = 0; i < count; ++i) self(w).input().push(Dropped{paths[i]});
   });
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { self(w).damaged_ = true; });
+  glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { self(w).damaged_ = true; });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { self(w).damaged_ = true; });
 }
 

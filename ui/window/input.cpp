@@ -139,6 +139,14 @@ bool InputQueue::pressed(Key key) const {
   return pressed_[index(key)];
 }
 
+Key InputQueue::pressed_key() const {
+  for (int code = 1; code < static_cast<int>(Key::kLeftShift); ++code) {
+    const auto key = static_cast<Key>(code);
+    if (pressed(key)) return key;
+  }
+  return Key::kNone;
+}
+
 Modifiers InputQueue::modifiers() const {
   return {down(Key::kLeftControl) || down(Key::kRightControl), down(Key::kLeftShift) || down(Key::kRightShift),
           down(Key::kLeftAlt) || down(Key::kRightAlt)};

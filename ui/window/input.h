@@ -29,7 +29,9 @@ enum class Key : std::int16_t {
   kA = 65,
   kZ = 90,
   kLeftBracket = 91,
+  kBackslash = 92,
   kRightBracket = 93,
+  kGrave = 96,
   kEscape = 256,
   kEnter = 257,
   kTab = 258,
@@ -47,6 +49,10 @@ enum class Key : std::int16_t {
   kF1 = 290,
   kF12 = 301,
   kKeypad0 = 320,
+  kKeypadPoint = 330,
+  kKeypadDivide = 331,
+  kKeypadMinus = 333,
+  kKeypadPlus = 334,
   kKeypadEnter = 335,
   kLeftShift = 340,
   kLeftControl = 341,
@@ -106,6 +112,8 @@ class InputQueue {
 
   /// Pressed in this frame (auto-repeat of the window system included).
   bool pressed(Key key) const;
+  /// The first that was pressed in this frame and is no modifier; `kNone` if none was.
+  Key pressed_key() const;
   bool down(Key key) const { return down_[index(key)]; }
   Modifiers modifiers() const;
   /// Dropped on the window in this frame, in order.

@@ -30,6 +30,11 @@ class Window {
   virtual double now_s() const = 0;
   /// Takes in what happened; waits for input at most `timeout_s`.
   virtual void poll(double timeout_s) = 0;
+  /// Input waits, or the window was uncovered or changed its size: a frame is due. Windows without a screen say so
+  /// always, so that every step of a script draws.
+  virtual bool wants_frame() const { return true; }
+  /// The keyboard is on it; where that is not so, fewer frames do.
+  virtual bool focused() const { return true; }
   /// True once after the user asked for the window to be closed.
   virtual bool take_close_request() { return false; }
   virtual void set_title(const std::string& title) = 0;
@@ -46,6 +51,7 @@ class Window {
 
   virtual TextureStore& textures() = 0;
   InputQueue& input() { return input_; }
+  const InputQueue& input() const { return input_; }
 
  private:
   InputQueue input_;

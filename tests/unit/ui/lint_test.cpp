@@ -52,6 +52,13 @@ workbench::WorkbenchState live_state() {
   return state;
 }
 
+workbench::WorkbenchState loading_state() {
+  workbench::WorkbenchState state;
+  state.load = workbench::LoadState::kLoading;
+  state.path = "/data/a folder with a long name/and another one in it/pegs.trocar";
+  return state;
+}
+
 workbench::WorkbenchState failed_state() {
   workbench::WorkbenchState state;
   state.load = workbench::LoadState::kFailed;
@@ -117,10 +124,11 @@ TEST_CASE("so is every panel in a small window, in every theme") {
   }
 }
 
-TEST_CASE("so is every panel without a model, while recording, without a project and with one that is broken") {
+TEST_CASE("so is every panel without a model, while recording or opening, without a project and with a broken one") {
   for (const float scale : kScales) {
     CAPTURE(scale);
-    for (const auto& state : {testing::made_state(), live_state(), workbench::WorkbenchState{}, failed_state()}) {
+    for (const auto& state :
+         {testing::made_state(), live_state(), workbench::WorkbenchState{}, loading_state(), failed_state()}) {
       Desk desk(state, scale);
       lint_every_panel(desk, scale);
     }
@@ -144,8 +152,8 @@ TEST_CASE("so is every form and every menu") {
     CAPTURE(scale);
     Desk desk(testing::made_state_with_model(), scale);
     Driver driver = desk.driver();
-    for (const char* keys :
-         {"Ctrl+N", "Ctrl+O", "Ctrl+I", "Ctrl+Alt+E", "Ctrl+E", "Ctrl+Shift+E", "R", "F1", "Ctrl+P", "Ctrl+Q"}) {
+    for (const char* keys : {"Ctrl+N", "Ctrl+O", "Ctrl+I", "Ctrl+Alt+E", "Ctrl+E", "Ctrl+Shift+E", "R", "F1", "Shift+/",
+                             "Ctrl+Shift+P", "Ctrl+P", "Ctrl+Q"}) {
       CAPTURE(keys);
       CHECK(driver.key(keys));
       CHECK(driver.frames(4));
@@ -165,11 +173,99 @@ TEST_CASE("so is every form and every menu") {
   }
 }
 
+TEST_CASE("so are the menus in menus, and Help on every panel") {
+  for (const float scale : kScales) {
+    CAPTURE(scale);
+    Desk desk(testing::made_state_with_model(), scale);
+    Driver driver = desk.driver();
+    for (const std::string_view menu : command_menus()) {
+      const std::string above(menu_above(menu));
+      if (above.empty()) continue;
+      CAPTURE(menu);
+      const std::string top = desk.session->items().find("Menu/" + above) == nullptr ? "Menu/All menus" : "";
+      if (!top.empty()) CHECK(text_of(driver.click(top)) == "");
+      CHECK(text_of(driver.click("Menu/" + above)) == "");
+      CHECK(text_of(driver.click(above + "/" + std::string(menu))) == "");
+      CHECK(driver.frames(3));
+      CHECK(found_on(desk, scale) == "");
+      CHECK(driver.key("Escape"));
+      CHECK(driver.frames(2));
+    }
+    CHECK(driver.key("Ctrl+2"));
+    CHECK(driver.frames(3));
+    for (const std::string& tab : tabs_of(desk)) {
+      CAPTURE(tab);
+      CHECK(text_of(driver.click("Tabs/" + tab)) == "");
+      CHECK(driver.key("F1"));
+      CHECK(driver.frames(4));
+      CHECK(found_on(desk, scale) == "");
+      CHECK(driver.key("Escape"));
+      CHECK(driver.frames(2));
+    }
+  }
+}
+
+TEST_CASE("so are the forms of keys and layouts, in each of their states and every theme") {
+  for (const float scale : kScales) {
+    CAPTURE(scale);
+    Desk desk(testing::made_state_with_model(), scale,
+              kThemeKinds[static_cast<std::size_t>(scale) % kThemeKinds.size()]);
+    Driver driver = desk.driver();
+    const auto look = [&] {
+      CHECK(driver.frames(4));
+      CHECK(found_on(desk, scale) == "");
+    };
+    CHECK(driver.key("Ctrl+P"));
+    for (const char c : std::string("change keys")) desk.window.input().push(Typed{static_cast<std::uint32_t>(c)});
+    CHECK(driver.frames(2));
+    CHECK(driver.key("Enter"));
+    look();
+    CHECK(text_of(driver.type("Keys/Find", "undo")) == "");
+    look();
+    CHECK(text_of(driver.click("Keys/edit.undo/Add keys")) == "");
+    look();
+    CHECK(driver.key("Y"));
+    look();
+    CHECK(text_of(driver.click("Keys/Conflict/Use it for both")) == "");
+    look();
+    CHECK(text_of(driver.click("Keys/edit.undo/Add keys")) == "");
+    CHECK(driver.key("Tab"));
+    look();
+    CHECK(driver.key("Escape"));
+    CHECK(driver.key("Ctrl+Shift+P"));
+    look();
+    CHECK(text_of(driver.type("Layouts/Name", "A name that is longer than most people would think of")) == "");
+    CHECK(text_of(driver.click("Layouts/Save")) == "");
+    look();
+    CHECK(text_of(driver.click("Named/A name that is longer than most people would think of/Rename")) == "");
+    look();
+    CHECK(text_of(driver.click("Rename layout/Leave it")) == "");
+    CHECK(text_of(driver.click("Named/A name that is longer than most people would think of/Delete")) == "");
+    look();
+  }
+}
+
+TEST_CASE("a long sentence in the status line ends before the last command, at every scale") {
+  for (const float scale : kScales) {
+    CAPTURE(scale);
+    Desk desk(testing::made_state(), scale);
+    Driver driver = desk.driver();
+    CHECK(text_of(driver.click("Library/Trim idle")) == "");
+    desk.state.done = std::string(300, 'm');
+    CHECK(driver.frames(3));
+    const Item hint = driver.item("Status/Hint").value();
+    const Item last = driver.item("Status/Last command").value();
+    CHECK(hint.value == desk.state.done);
+    CHECK(hint.rect.x1 < last.rect.x0);
+    CHECK(last.rect.x1 < driver.item("Status/Copy as command").value().rect.x0);
+  }
+}
+
 TEST_CASE("the shortcut sheet shows the keys of every command that has some, at every scale") {
   for (const float scale : kScales) {
     CAPTURE(scale);
     Desk desk(testing::made_state(), scale);
-    CHECK(desk.driver().key("F1"));
+    CHECK(desk.driver().key("Shift+/"));
     CHECK(desk.driver().frames(4));
     for (const CommandRow& row : command_table()) {
       if (row.keys.empty()) continue;

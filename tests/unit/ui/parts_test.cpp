@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 
+#include "engine/core/file.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/ui_state.h"
 #include "ui/command_table.h"
 #include "ui/command_text.h"
@@ -30,6 +33,7 @@ TEST_CASE("text on every ground of every theme has a contrast of at least 4.5 to
     for (const Rgba words : {theme.text_dim, theme.good, theme.warning, theme.danger}) {
       CHECK(contrast(words, theme.panel) >= 4.5);
       CHECK(contrast(words, mix(theme.panel, words, kBadgeTint)) >= 4.5);
+      CHECK(contrast(words, mix(theme.panel, theme.raised, 0.35F)) >= 4.5);  // forms and the palette
     }
     CHECK(contrast(theme.text_dim, theme.header) >= 4.5);
     CHECK(contrast(theme.on_accent, theme.accent_fill) >= 4.5);
@@ -132,7 +136,7 @@ TEST_CASE("a layout survives being written and read, and a broken one is refused
     const std::string json = to_json(default_layout(static_cast<Workspace>(i)));
     CHECK(to_json(tile_from_json(json).value()) == json);
   }
-  for (const char* broken : {"", "[]", "{}", R"({"tabs":["View"]})", R"({"tabs":["Nothing"]})",
+  for (const char* broken : {"", "[]", "{}", R"({"tabs":[]})", R"({"tabs":["Nothing"]})",
                              R"({"row":[{"tabs":["View"]}],"shares":[0.5,0.5]})", R"({"row":[],"shares":[]})"}) {
     CHECK_FALSE(tile_from_json(broken));
   }
@@ -151,12 +155,34 @@ TEST_CASE("settings survive being written and read, and nonsense keeps the defau
   settings.workspace = Workspace::kFields;
   settings.window = {1280, 800};
   settings.recent = {"/a.trocar"};
+  settings.keys = with_chords({KeyPreset::kNle, {}}, "edit.undo", {chord_from("F5").value()});
+  settings.layouts[1] = closed(settings.layouts[1], PanelId::kLog);
+  settings.named[1] = {{"Wide", with_side_toggled(settings.layouts[1], Side::kLeft)}};
   settings.hidden_lanes = 0b100101;
-  CHECK(settings_from_json(to_json(settings)).value().hidden_lanes == 0b100101);
-  CHECK(to_json(settings_from_json(to_json(settings)).value()) == to_json(settings));
-  CHECK(to_json(settings_from_json(R"({"scale":"big","theme":7,"layouts":[],"window":[1],"workspace":9})").value()) ==
+  Diagnostics odd;
+  CHECK(settings_from_json(to_json(settings), odd).value().hidden_lanes == 0b100101);
+  CHECK(to_json(settings_from_json(to_json(settings), odd).value()) == to_json(settings));
+  CHECK(to_json(
+            settings_from_json(R"({"scale":"big","theme":7,"layouts":[],"window":[1],"workspace":9})", odd).value()) ==
         to_json(Settings{}));
-  CHECK_FALSE(settings_from_json("no"));
+  CHECK(odd.warnings().empty());
+  CHECK_FALSE(settings_from_json("no", odd));
+}
+
+TEST_CASE("settings that cannot be read are kept beside, and said to be broken") {
+  const testing::ScratchFolder folder;
+  const std::filesystem::path path = folder / "workbench.json";
+  std::ofstream(path) << "{\"scale\": 2,}";
+  Diagnostics odd;
+  CHECK(to_json(load_settings(path, odd)) == to_json(Settings{}));
+  REQUIRE(odd.warnings().size() == 1);
+  CHECK(odd.warnings().front().find("workbench.json.broken") != std::string::npos);
+  CHECK(read_file((folder / "workbench.json.broken").string()).value() == "{\"scale\": 2,}");
+  std::ofstream(path) << R"({"theme":"light","layouts":{"Author":{"tabs":["Nothing"]}}})";
+  Diagnostics layout;
+  CHECK(load_settings(path, layout).theme == ThemeKind::kLight);
+  CHECK(layout.warnings() == std::vector<std::string>{"in the settings, of the workspace Author, the layout is broken: "
+                                                      "an unknown panel; it was left out"});
 }
 
 TEST_CASE("a script is parsed with quotes and comments, and an error names its line") {
@@ -235,6 +261,8 @@ TEST_CASE("an act is said as the command line would say it") {
   CHECK(command_text(workbench::Command{record}, state) ==
         "trocar demo record /data/pegs.trocar --operator scripted --skill expert --seed 7 --block 0 --goal 0 --name "
         "'it'\\''s mine'");
+  CHECK(command_text(workbench::Command{workbench::GoToHistory{7}}, state) ==
+        "trocar history /data/pegs.trocar --go 7");
   CHECK(command_text(workbench::Command{workbench::Play{1.0}}, state).empty());
 }
 

@@ -1,0 +1,62 @@
+#include "ui/command_cli.h"
+
+#include <algorithm>
+#include <array>
+
+namespace trocar::ui {
+namespace {
+
+struct Equivalent {
+  std::string_view id;  ///< One that ends in a dot or _ stands for all that begin so.
+  std::string_view cli;
+};
+
+constexpr std::array<Equivalent, 35> kEquivalents{{
+    {"file.new", "trocar new P"},
+    {"file.open", "trocar-workbench P"},
+    {"file.export_video", "trocar video render P DEMO --out F.mp4"},
+    {"file.export_field", "trocar field export P MODEL --layer reward --montage --out F.png"},
+    {"edit.undo", "trocar undo P"},
+    {"edit.redo", "trocar redo P"},
+    {"edit.trim_in", "trocar demo edit P DEMO trim --from S --to S"},
+    {"edit.trim_out", "trocar demo edit P DEMO trim --from S --to S"},
+    {"edit.clear_gates", "trocar demo edit P DEMO trim --from S --to S"},
+    {"edit.trim_idle", "trocar demo edit P DEMO trim-idle"},
+    {"edit.split", "trocar demo split P DEMO --at S"},
+    {"edit.copy_demonstration", "trocar demo copy P DEMO"},
+    {"edit.cut", "trocar demo edit P DEMO delete --from S --to S"},
+    {"edit.ripple_delete", "trocar demo edit P DEMO delete --from S --to S"},
+    {"edit.lift", "trocar demo edit P DEMO delete --from S --to S --ripple=no"},
+    {"edit.paste", "trocar demo edit P DEMO splice --source DEMO --clip-from S --clip-to S --at S"},
+    {"edit.paste_meeting",
+     "trocar demo edit P DEMO splice --source DEMO --clip-from S --clip-to S --at S --align meet"},
+    {"edit.paste_to_peg", "trocar demo edit P DEMO splice --source DEMO --clip-from S --clip-to S --at S --align peg"},
+    {"demo.record", "trocar demo record P --operator scripted"},
+    {"demo.verify", "trocar demo replay P DEMO --verify"},
+    {"demo.problems", "trocar demo check P DEMO"},
+    {"demo.fix_all", "trocar demo check P DEMO --fix all"},
+    {"demo.simulate", "trocar demo check P DEMO --simulate"},
+    {"model.train", "trocar model train P DEMO --segment A --method eg-maxent"},
+    {"tool.move", "trocar demo edit P DEMO move --at S"},
+    {"tool.turn", "trocar demo edit P DEMO rotate --at S"},
+    {"tool.waypoint", "trocar demo edit P DEMO move --at S"},
+    {"tool.nudge_", "trocar demo edit P DEMO move --at S"},
+    {"tool.fine_", "trocar demo edit P DEMO move --at S"},
+    {"view.camera_", "trocar view render P DEMO --camera paper|top|side|front --out F.png"},
+    {"view.curves", "trocar demo plot P DEMO --out F.png"},
+    {"view.diff", "trocar demo diff P DEMO"},
+    {"view.comparison", "trocar demo diff P DEMO"},
+    {"help.shortcuts", "trocar ui manual --out DIR"},
+    {"help.page", "trocar ui manual --out DIR"},
+}};
+
+}  // namespace
+
+std::string_view cli_of(std::string_view id) {
+  const auto* found = std::find_if(kEquivalents.begin(), kEquivalents.end(), [id](const Equivalent& words) {
+    return words.id == id || (words.id.ends_with('_') && id.starts_with(words.id));
+  });
+  return found == kEquivalents.end() ? std::string_view() : found->cli;
+}
+
+}  // namespace trocar::ui
