@@ -14,6 +14,7 @@
 #include "engine/media/video_writer.h"
 #include "engine/plot/colour_map.h"
 #include "engine/scene/scene.h"
+#include "engine/trial/hand_session.h"
 #include "engine/trial/transfer_session.h"
 #include "engine/workbench/clipboard.h"
 #include "engine/workbench/comparing.h"
@@ -145,6 +146,26 @@ struct RecordScripted {
 struct StopRecording {
   bool keep = true;
 };
+/// A person drives live: the simulator runs at once, recording begins after the countdown.
+struct RecordByHand {
+  trial::HandOptions options;     ///< World, lead-in and replay are found from what follows.
+  std::string name;               ///< Empty: "By hand 1" and so on.
+  DemonstrationId replayed;       ///< What replayed arms do, and what is replaced; none: neither.
+  bool gamepad = false;           ///< Drives too.
+  bool space_mouse = false;       ///< Likewise; a take without it is armed if it has gone.
+  std::optional<TimeSpan> punch;  ///< Of `replayed`: only that is recorded, and replaces it.
+};
+/// Looks which devices can drive; `WorkbenchState::space_mouse_missing` tells.
+struct FindDevices {};
+/// What the operator did since the last one, in order.
+struct HandInput {
+  std::vector<trial::HandEvent> events;
+};
+/// What becomes of a take by hand that has ended.
+enum class Verdict : std::uint8_t { kKeep, kKeepAndNext, kAgain, kDiscard };
+struct JudgeTake {
+  Verdict verdict = Verdict::kKeep;
+};
 
 struct TrainModel {
   std::vector<DemonstrationId> demonstrations;
@@ -192,7 +213,8 @@ struct Report {
 using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
                              SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, SetPlayhead,
                              Play, SetSelection, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize,
-                             SetField, SetRollouts, RecordScripted, StopRecording, TrainModel, VerifyReplay,
-                             SimulateDemonstration, FixProblems, ExportVideo, ExportField, CancelJob, Report>;
+                             SetField, SetRollouts, RecordScripted, StopRecording, RecordByHand, FindDevices, HandInput,
+                             JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo,
+                             ExportField, CancelJob, Report>;
 
 }  // namespace trocar::workbench

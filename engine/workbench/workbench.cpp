@@ -128,25 +128,6 @@ std::string Workbench::Impl::description_of(std::int64_t node) const {
   return found == nodes.end() ? std::string() : found->description;
 }
 
-void Workbench::Impl::poll_recording() {
-  if (!recording) return;
-  const std::optional<LiveRecording::End> end = recording->poll();
-  state.live = recording->view();
-  dirty = true;
-  if (!end) return;
-  recording.reset();
-  state.live.reset();
-  if (end->demonstration) {
-    log(Severity::kInfo, end->message);
-    state.demonstration = *end->demonstration;
-    state.playhead_s = 0.0;
-  } else {
-    const bool discarded = end->demonstration.error().code() == ErrorCode::kCancelled;
-    log(discarded ? Severity::kInfo : Severity::kError, end->demonstration.error().text());
-  }
-  refresh_document();
-}
-
 void Workbench::Impl::poll_jobs() {
   for (JobRunner* runner : {&opening, &jobs}) {
     for (const JobView& ended : runner->poll()) {
@@ -213,10 +194,10 @@ bool Workbench::poll() {
 }
 
 bool Workbench::busy() const {
-  return impl_->jobs.busy() || !impl_->waiting_writes.empty() || impl_->opening.busy() || impl_->recording ||
-         impl_->state.play_speed != 0.0 || impl_->insight.pending() || impl_->preview.pending() ||
-         impl_->review.pending() || impl_->curves.pending() || impl_->comparison.pending() ||
-         (impl_->view && impl_->view->busy());
+  return impl_->jobs.busy() || !impl_->waiting_writes.empty() || impl_->opening.busy() ||
+         (impl_->recording && !impl_->recording->waits()) || impl_->state.play_speed != 0.0 ||
+         impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() || impl_->curves.pending() ||
+         impl_->comparison.pending() || (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

@@ -109,20 +109,6 @@ void Workbench::Impl::on(const SetRollouts& command) {
   if (other_starts) request_insight();
 }
 
-void Workbench::Impl::on(const RecordScripted& command) {
-  if (!project_open()) return;
-  if (recording) return log(Severity::kWarning, "A recording is running already");
-  auto started = LiveRecording::start(*file, command);
-  if (!started) return log(Severity::kError, started.error().text());
-  recording = std::move(*started);
-  state.play_speed = 0.0;
-  log(Severity::kInfo, "Recording");
-}
-
-void Workbench::Impl::on(const StopRecording& command) {
-  if (recording) recording->stop(command.keep);
-}
-
 void Workbench::Impl::on(const TrainModel& command) {
   if (!project_open()) return;
   const auto work = [this, command, owner = file, project = state.project](Progress& progress) -> Result<JobResult> {

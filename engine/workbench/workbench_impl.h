@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/device/space_mouse.h"
+#include "engine/trial/stick_hands.h"
 #include "engine/workbench/job_runner.h"
 #include "engine/workbench/latest_worker.h"
 #include "engine/workbench/live_recording.h"
@@ -46,6 +48,10 @@ struct Workbench::Impl {
   void on(const SetRollouts& command);
   void on(const RecordScripted& command);
   void on(const StopRecording& command);
+  void on(const RecordByHand& command);
+  void on(const FindDevices& command);
+  void on(const HandInput& command);
+  void on(const JudgeTake& command);
   void on(const TrainModel& command);
   void on(const VerifyReplay& command);
   void on(const SimulateDemonstration& command);
@@ -98,6 +104,8 @@ struct Workbench::Impl {
   /// Into the project that it was learned from, even if another is open by now.
   Status keep_model(const std::shared_ptr<ProjectFile>& owner, const std::shared_ptr<const ModelEntry>& entry);
   void poll_recording();
+  /// What the SpaceMouse does to the tools, if it drives.
+  void follow_space_mouse();
   bool poll();
   void poll_jobs();
   Status finish(double limit_s);
@@ -106,6 +114,9 @@ struct Workbench::Impl {
   WorkbenchState state;
   std::shared_ptr<ProjectFile> file;  ///< Shared with jobs that will commit to it.
   std::unique_ptr<LiveRecording> recording;
+  std::optional<device::SpaceMouse> space_mouse;
+  trial::StickHands space_mouse_hand;
+  std::optional<RecordByHand> next_take;  ///< Armed when the verdict on this one has been carried out.
   std::optional<ViewDirector> view;
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
   LatestWorker<PreviewRequest, std::shared_ptr<const EditPreview>> preview;

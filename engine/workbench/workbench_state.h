@@ -17,6 +17,7 @@
 #include "engine/workbench/project.h"
 #include "engine/workbench/project_file.h"
 #include "engine/workbench/reviewing.h"
+#include "engine/workbench/take_view.h"
 
 namespace trocar::workbench {
 
@@ -73,6 +74,11 @@ struct WorkbenchState {
   std::shared_ptr<const ModelInsight> insight;  ///< Of the selected model; null until worked out.
   bool insight_pending = false;
   std::optional<LiveView> live;
+  std::optional<TakeView> take;  ///< With `live`, if a person drives.
+  /// As it was last armed; what `R` arms again.
+  RecordByHand last_take;
+  /// Why no SpaceMouse can drive; "" if one can. As `FindDevices` found it.
+  std::string space_mouse_missing = "nobody has looked for one yet";
 
   std::shared_ptr<const Image> picture;  ///< The newest 3-D view; null until the first.
   std::uint64_t picture_number = 0;      ///< Changes with each new picture.
