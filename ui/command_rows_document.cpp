@@ -7,17 +7,7 @@ namespace {
 using namespace workbench;
 using State = WorkbenchState;
 
-std::string cannot_change(const State& state) {
-  if (state.load == LoadState::kLoading) return "The project is being opened";
-  return state.project == nullptr ? "No project is open" : "";
-}
-
 std::string cannot_open(const State& state) {
-  return state.live ? "A transfer is being recorded" : "";
-}
-
-std::string cannot_record(const State& state) {
-  if (std::string reason = cannot_change(state); !reason.empty()) return reason;
   return state.live ? "A transfer is being recorded" : "";
 }
 
@@ -34,10 +24,6 @@ std::string cannot_trim_out(const State& state) {
   if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
   const bool there = selected_demonstration(state)->end_s - state.playhead_s < kSameTime_s;
   return there ? "It ends at the playhead already" : "";
-}
-
-std::string cannot_stop(const State& state) {
-  return state.live ? "" : "Nothing is being recorded";
 }
 
 std::string cannot_move_in_history(const State& state) {
@@ -128,14 +114,6 @@ Requests verify(const State& state) {
   return one(Command{VerifyReplay{state.demonstration}});
 }
 
-Requests stop_recording(const State&) {
-  return one(Command{StopRecording{true}});
-}
-
-Requests discard_recording(const State&) {
-  return one(Command{StopRecording{false}});
-}
-
 constexpr std::array<RowData, 5> kFileRows{{
     {"file.new",
      "File",
@@ -197,7 +175,7 @@ constexpr std::array<RowData, 2> kUndoRows{{
      redo},
 }};
 
-constexpr std::array<RowData, 13> kEditRows{{
+constexpr std::array<RowData, 10> kEditRows{{
     {"edit.trim_in",
      "Edit",
      "Trim in at playhead",
@@ -270,33 +248,6 @@ constexpr std::array<RowData, 13> kEditRows{{
      false,
      cannot_remove_model,
      remove_model},
-    {"demo.record",
-     "Edit",
-     "Record…",
-     "Let the scripted operators carry out a transfer in the simulator and record it",
-     icon::kRecord,
-     {"R"},
-     true,
-     cannot_record,
-     act<UiAction::kShowRecord>},
-    {"demo.stop",
-     "Edit",
-     "Stop and keep",
-     "End the recording and put it into the project",
-     icon::kStop,
-     {"Shift+R"},
-     false,
-     cannot_stop,
-     stop_recording},
-    {"demo.discard",
-     "Edit",
-     "Stop and discard",
-     "End the recording and throw it away",
-     icon::kCross,
-     {"Shift+Backspace"},
-     false,
-     cannot_stop,
-     discard_recording},
     {"demo.verify",
      "Edit",
      "Verify replay",
@@ -318,6 +269,11 @@ constexpr std::array<RowData, 13> kEditRows{{
 }};
 
 }  // namespace
+
+std::string cannot_change(const State& state) {
+  if (state.load == LoadState::kLoading) return "The project is being opened";
+  return state.project == nullptr ? "No project is open" : "";
+}
 
 std::string cannot_edit(const State& state) {
   if (std::string reason = cannot_change(state); !reason.empty()) return reason;

@@ -122,7 +122,7 @@ Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
   if (keys_.capturing() || tiles_.dragging()) return requests;
   const bool typing = ImGui::GetIO().WantTextInput;
   const auto means = [&](const Chord& chord) {
-    if (!pressed(ui.input(), chord)) return false;
+    if (!pressed(ui.input(), chord) || TakeKeys::claims(chord, state)) return false;
     // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.
     const bool plain = !chord.modifiers.control && !chord.modifiers.alt;
     if ((typing || form_open()) && (plain || typing)) return false;
@@ -252,6 +252,7 @@ ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz, b
   const bool capturing = keys_.capturing();
   if (!palette_.is_open() && !capturing) leave_field_on_tab(ui);
   Requests requests = take_keys(ui, state);
+  append(requests, take_keys_.follow(ui, state, !ImGui::GetIO().WantTextInput && !form_open()));
   if (close_asked) requests.emplace_back(UiAction::kQuit);
   append(requests, draw_host(ui, state, frames_hz));
   append(requests, draw_forms(ui, state));

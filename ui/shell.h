@@ -21,6 +21,7 @@
 #include "ui/panel.h"
 #include "ui/settings.h"
 #include "ui/status_line.h"
+#include "ui/take_keys.h"
 #include "ui/tile_area.h"
 
 namespace trocar::ui {
@@ -75,6 +76,7 @@ class Shell {
   AboutForm about_;
   QuitForm quit_;
   Palette palette_;
+  TakeKeys take_keys_;
   StatusLine status_;
   std::string seen_done_;  ///< What the workbench did last, as it was told.
   ImVec2 pointer_when_done_;
