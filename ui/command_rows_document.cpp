@@ -70,6 +70,10 @@ Requests undo(const State&) {
   return one(Command{Undo{}});
 }
 
+Requests checkpoint(const State& state) {
+  return one(Command{NameCheckpoint{state.head, {}}});
+}
+
 Requests redo(const State&) {
   return one(Command{Redo{}});
 }
@@ -136,7 +140,7 @@ Requests discard_recording(const State&) {
   return one(Command{StopRecording{false}});
 }
 
-constexpr std::array<RowData, 5> kFileRows{{
+constexpr std::array<RowData, 6> kFileRows{{
     {"file.new",
      "File",
      "New project…",
@@ -155,6 +159,15 @@ constexpr std::array<RowData, 5> kFileRows{{
      false,
      cannot_open,
      act<UiAction::kOpenProject>},
+    {"file.checkpoint",
+     "File",
+     "Checkpoint",
+     "Name the state that the project is in, to find and compare it; all work is already saved",
+     icon::kBook,
+     {"Ctrl+S"},
+     false,
+     cannot_change,
+     checkpoint},
     {"file.export_video",
      "File",
      "Export video…",
@@ -255,7 +268,7 @@ constexpr std::array<RowData, 13> kEditRows{{
     {"edit.remove_demonstration",
      "Edit",
      "Delete demonstration",
-     "Take the selected demonstration out of the project; undo brings it back",
+     "Put the selected demonstration into the trash; undo or restore brings it back",
      icon::kTrash,
      {"Ctrl+Delete"},
      true,

@@ -71,12 +71,23 @@ void bind_replay(CLI::App& verb, ReplayArguments& arguments) {
   verb.add_flag("--verify", arguments.verify, "Compare the state hashes on the way; exit 1 where they differ");
 }
 
+/// The library shows it. Where nothing can be written the answer alone tells.
+void keep_found(const std::string& project, demonstration::RecordingId recording, const trial::ReplayResult& result,
+                Console& console) {
+  Result<workbench::ProjectFile> file =
+      open_project(project, console, workbench::ProjectFile::Purpose::kMove, Models::kDescribed);
+  const Status kept = file ? file->keep_replay(recording, workbench::found_of(result))
+                           : Status(tl::unexpected(std::move(file).error()));
+  if (!kept) console.diagnostics.warn("what the replay found is not kept: " + kept.error().text());
+}
+
 Result<Answer> run_replay(const ReplayArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const trial::ReplayResult result,
                           trial::replay(*demonstration->recording, console.progress()));
+  if (arguments.verify) keep_found(arguments.project, demonstration->recording->id, result, console);
   Answer answer;
   answer.json = {{"id", demonstration->id.value},
                  {"verified", result.verified},

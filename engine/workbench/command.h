@@ -75,6 +75,25 @@ struct CompareWith {
 };
 struct EndComparison {};
 
+/// Works out the rows of the library from now on, or no longer.
+struct ShowLibrary {
+  bool on = true;
+};
+/// Works out what an act (`act_from_words`) would do to each of several demonstrations. No words: no more of it.
+struct PlanBatch {
+  std::vector<DemonstrationId> demonstrations;
+  std::vector<std::string> words;
+};
+/// Gives a point of the history a name that stays: "" takes it away, none at all is "Checkpoint 3".
+struct NameCheckpoint {
+  std::int64_t node = 0;
+  std::optional<std::string> name;
+};
+/// Makes small pictures of what the edits of these points left, a few at a time; they are kept.
+struct SketchHistory {
+  std::vector<std::int64_t> nodes;
+};
+
 struct SetPlayhead {
   double t_s = 0.0;
 };  ///< Of the selected demonstration; kept within its gates.
@@ -190,9 +209,10 @@ struct Report {
 };
 
 using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
-                             SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, SetPlayhead,
-                             Play, SetSelection, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize,
-                             SetField, SetRollouts, RecordScripted, StopRecording, TrainModel, VerifyReplay,
-                             SimulateDemonstration, FixProblems, ExportVideo, ExportField, CancelJob, Report>;
+                             SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary,
+                             PlanBatch, NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, CopyRun,
+                             SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetField, SetRollouts,
+                             RecordScripted, StopRecording, TrainModel, VerifyReplay, SimulateDemonstration,
+                             FixProblems, ExportVideo, ExportField, CancelJob, Report>;
 
 }  // namespace trocar::workbench

@@ -25,7 +25,17 @@ Workbench::Impl::Impl(Options options_in)
         auto maker = std::make_shared<CurveMaker>();
         return [maker](const CurvesRequest& request) { return maker->make(request); };
       }),
-      comparison([] { return comparison_of; }) {
+      comparison([] { return comparison_of; }),
+      library([] {
+        auto maker = std::make_shared<LibraryMaker>();
+        return [maker](const LibraryRequest& request) { return maker->make(request, kLibraryPiece_samples); };
+      }),
+      batch([] {
+        return [](const BatchRequest& request) {
+          Progress progress;
+          return plan_batch(request, progress);
+        };
+      }) {
   if (!options.clock) options.clock = std::make_shared<SystemClock>();
   if (options.picture) view.emplace();
   last_poll_s = options.clock->now_s();
@@ -74,6 +84,9 @@ void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
   file = std::move(opened);
   state.clipboard.reset();
   state.selection.reset();
+  state.history.clear();
+  state.sketches.clear();
+  sketches_wanted.clear();
   state.load = opening.busy() ? LoadState::kLoading : LoadState::kReady;
   state.load_error.clear();
   state.path = file->path();
@@ -83,7 +96,11 @@ void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
 void Workbench::Impl::refresh_document() {
   dirty = true;
   state.project = file->project();
-  state.history = file->history();
+  // It only ever grows.
+  const auto& nodes = file->history();
+  state.history.insert(state.history.end(), nodes.begin() + std::ssize(state.history), nodes.end());
+  state.checkpoints = file->checkpoints();
+  state.replays = file->replays();
   state.head = file->head();
   state.undoable = file->undoable();
   state.redoable = file->redoable();
@@ -196,6 +213,9 @@ bool Workbench::Impl::poll() {
   follow_review();
   follow_curves();
   follow_comparison();
+  follow_library();
+  follow_batch();
+  sketch_history();
   if (view && view->poll(state, now_s)) dirty = true;
   return std::exchange(dirty, false);
 }
@@ -216,6 +236,7 @@ bool Workbench::busy() const {
   return impl_->jobs.busy() || !impl_->waiting_writes.empty() || impl_->opening.busy() || impl_->recording ||
          impl_->state.play_speed != 0.0 || impl_->insight.pending() || impl_->preview.pending() ||
          impl_->review.pending() || impl_->curves.pending() || impl_->comparison.pending() ||
+         impl_->state.library_pending || impl_->state.batch_pending || !impl_->sketches_wanted.empty() ||
          (impl_->view && impl_->view->busy());
 }
 

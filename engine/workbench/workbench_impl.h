@@ -33,6 +33,10 @@ struct Workbench::Impl {
   void on(const ShowCurves& command);
   void on(const CompareWith& command);
   void on(const EndComparison& command);
+  void on(const ShowLibrary& command);
+  void on(const PlanBatch& command);
+  void on(const NameCheckpoint& command);
+  void on(const SketchHistory& command);
   void on(const SetPlayhead& command);
   void on(const Play& command);
   void on(const SetSelection& command);
@@ -79,6 +83,12 @@ struct Workbench::Impl {
   /// Ask for what the state has come to need, and take in what is ready.
   void follow_curves();
   void follow_comparison();
+  void follow_library();
+  void follow_batch();
+  /// What a replay found is kept with the project that it is of, even if another is open by now.
+  void keep_replay(const std::shared_ptr<ProjectFile>& owner, demonstration::RecordingId id, const ReplayFound& found);
+  /// Makes a few of the small pictures that are still missing.
+  void sketch_history();
   void advance_playhead(double elapsed_s);
   /// What is played again and again; none: playing ends at the gate.
   std::optional<TimeSpan> looped() const;
@@ -118,6 +128,11 @@ struct Workbench::Impl {
   std::shared_ptr<const Project> compared_in;
   std::deque<std::function<bool()>> waiting_writes;
   double waiting_since_s = 0.0;  ///< The first of them.
+  LatestWorker<LibraryRequest, std::shared_ptr<const LibraryView>> library;
+  LibraryRequest library_wanted;
+  LatestWorker<BatchRequest, std::shared_ptr<const BatchPlan>> batch;
+  BatchRequest batch_wanted;
+  std::vector<std::int64_t> sketches_wanted;  ///< By falling id; those that are there already are gone.
   double last_poll_s = 0.0;
   bool dirty = false;
   JobRunner jobs;     // their threads end first
