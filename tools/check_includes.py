@@ -32,6 +32,7 @@ OWNERS = [
     (r"CLI/", {"app"}),
     (r"boost/math/", {"statistics"}),
     (r"(asio|rclcpp/)", {"link"}),
+    (r"spnav", {"device"}),
     (r"(doctest|rapidcheck|benchmark/)", {"tests"}),
 ]
 # Headers of our own may not show these: whoever includes the header would depend on them too.

@@ -11,11 +11,14 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 35> kEquivalents{{
+constexpr std::array<Equivalent, 68> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
+    {"file.import", "trocar demo import P FILE"},
+    {"file.export_demonstrations", "trocar demo export P DEMO FILE"},
     {"file.export_video", "trocar video render P DEMO --out F.mp4"},
     {"file.export_field", "trocar field export P MODEL --layer reward --montage --out F.png"},
+    {"file.checkpoint", "trocar history P --checkpoint NAME"},
     {"edit.undo", "trocar undo P"},
     {"edit.redo", "trocar redo P"},
     {"edit.trim_in", "trocar demo edit P DEMO trim --from S --to S"},
@@ -24,6 +27,7 @@ constexpr std::array<Equivalent, 35> kEquivalents{{
     {"edit.trim_idle", "trocar demo edit P DEMO trim-idle"},
     {"edit.split", "trocar demo split P DEMO --at S"},
     {"edit.copy_demonstration", "trocar demo copy P DEMO"},
+    {"edit.remove_demonstration", "trocar demo remove P DEMO"},
     {"edit.cut", "trocar demo edit P DEMO delete --from S --to S"},
     {"edit.ripple_delete", "trocar demo edit P DEMO delete --from S --to S"},
     {"edit.lift", "trocar demo edit P DEMO delete --from S --to S --ripple=no"},
@@ -31,6 +35,35 @@ constexpr std::array<Equivalent, 35> kEquivalents{{
     {"edit.paste_meeting",
      "trocar demo edit P DEMO splice --source DEMO --clip-from S --clip-to S --at S --align meet"},
     {"edit.paste_to_peg", "trocar demo edit P DEMO splice --source DEMO --clip-from S --clip-to S --at S --align peg"},
+    {"modify.trim", "trocar demo edit P DEMO trim --from S --to S"},
+    {"modify.trim_idle", "trocar demo edit P DEMO trim-idle"},
+    {"modify.delete", "trocar demo edit P DEMO delete --from S --to S"},
+    {"modify.splice", "trocar demo edit P DEMO splice --source DEMO --at S"},
+    {"modify.bridge", "trocar demo edit P DEMO bridge --from S --to S"},
+    {"modify.move", "trocar demo edit P DEMO move --at S"},
+    {"modify.rotate", "trocar demo edit P DEMO rotate --at S"},
+    {"modify.offset", "trocar demo edit P DEMO offset"},
+    {"modify.smooth", "trocar demo edit P DEMO smooth"},
+    {"modify.simplify", "trocar demo edit P DEMO simplify"},
+    {"modify.resample", "trocar demo edit P DEMO resample"},
+    {"modify.retime", "trocar demo edit P DEMO retime"},
+    {"modify.snap", "trocar demo edit P DEMO snap"},
+    {"modify.jaw", "trocar demo edit P DEMO jaw"},
+    {"modify.close_gripper", "trocar demo edit P DEMO jaw"},
+    {"modify.open_gripper", "trocar demo edit P DEMO jaw"},
+    {"modify.rename", "trocar demo edit P DEMO rename"},
+    {"modify.mirror", "trocar demo edit P DEMO mirror"},
+    {"modify.retarget", "trocar demo edit P DEMO retarget"},
+    {"modify.perturb", "trocar demo edit P DEMO perturb"},
+    {"modify.revert", "trocar demo edit P DEMO revert"},
+    {"modify.label", "trocar demo edit P DEMO label"},
+    {"modify.propose_labels", "trocar demo edit P DEMO propose-labels"},
+    {"modify.label_", "trocar demo edit P DEMO label"},
+    {"modify.select_", "trocar demo edit P DEMO label"},
+    {"modify.marker", "trocar demo edit P DEMO note"},
+    {"modify.note", "trocar demo edit P DEMO note"},
+    {"modify.remove_note", "trocar demo edit P DEMO remove-note"},
+    {"record.", "trocar demo record P --operator keys --script F"},
     {"demo.record", "trocar demo record P --operator scripted"},
     {"demo.verify", "trocar demo replay P DEMO --verify"},
     {"demo.problems", "trocar demo check P DEMO"},
@@ -54,7 +87,7 @@ constexpr std::array<Equivalent, 35> kEquivalents{{
 
 std::string_view cli_of(std::string_view id) {
   const auto* found = std::find_if(kEquivalents.begin(), kEquivalents.end(), [id](const Equivalent& words) {
-    return words.id == id || (words.id.ends_with('_') && id.starts_with(words.id));
+    return words.id == id || ((words.id.ends_with('_') || words.id.ends_with('.')) && id.starts_with(words.id));
   });
   return found == kEquivalents.end() ? std::string_view() : found->cli;
 }

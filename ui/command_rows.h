@@ -30,6 +30,7 @@ std::span<const RowData> undo_rows();
 std::span<const RowData> clipboard_rows();
 std::span<const RowData> edit_rows();
 std::span<const RowData> modify_rows();
+std::span<const RowData> record_rows();
 std::span<const RowData> selection_rows();
 std::span<const RowData> review_rows();
 std::span<const RowData> tool_rows();
@@ -39,6 +40,10 @@ std::span<const RowData> layout_rows();
 std::span<const RowData> transport_rows();
 std::span<const RowData> help_rows();
 
+/// Why nothing of the project can be changed now; "" if it can.
+std::string cannot_change(const WorkbenchState& state);
+/// Why nothing can be recorded or taken in from elsewhere now; "" if it can.
+std::string cannot_record(const WorkbenchState& state);
 /// Why nothing can be done with the selected demonstration or model; "" if it can.
 std::string no_demonstration(const WorkbenchState& state);
 std::string no_model(const WorkbenchState& state);

@@ -7,17 +7,7 @@ namespace {
 using namespace workbench;
 using State = WorkbenchState;
 
-std::string cannot_change(const State& state) {
-  if (state.load == LoadState::kLoading) return "The project is being opened";
-  return state.project == nullptr ? "No project is open" : "";
-}
-
 std::string cannot_open(const State& state) {
-  return state.live ? "A transfer is being recorded" : "";
-}
-
-std::string cannot_record(const State& state) {
-  if (std::string reason = cannot_change(state); !reason.empty()) return reason;
   return state.live ? "A transfer is being recorded" : "";
 }
 
@@ -31,10 +21,6 @@ std::string cannot_trim_out(const State& state) {
   if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
   const bool there = selected_demonstration(state)->end_s - state.playhead_s < kSameTime_s;
   return there ? "It ends at the playhead already" : "";
-}
-
-std::string cannot_stop(const State& state) {
-  return state.live ? "" : "Nothing is being recorded";
 }
 
 std::string cannot_move_in_history(const State& state) {
@@ -65,6 +51,10 @@ std::string cannot_train(const State& state) {
 
 Requests undo(const State&) {
   return one(Command{Undo{}});
+}
+
+Requests checkpoint(const State& state) {
+  return one(Command{NameCheckpoint{state.head, {}}});
 }
 
 Requests redo(const State&) {
@@ -125,15 +115,7 @@ Requests verify(const State& state) {
   return one(Command{VerifyReplay{state.demonstration}});
 }
 
-Requests stop_recording(const State&) {
-  return one(Command{StopRecording{true}});
-}
-
-Requests discard_recording(const State&) {
-  return one(Command{StopRecording{false}});
-}
-
-constexpr std::array<RowData, 7> kFileRows{{
+constexpr std::array<RowData, 8> kFileRows{{
     {"file.new",
      "File",
      "New project…",
@@ -170,6 +152,15 @@ constexpr std::array<RowData, 7> kFileRows{{
      false,
      no_demonstration,
      act<UiAction::kShowExportDemonstrations>},
+    {"file.checkpoint",
+     "File",
+     "Checkpoint",
+     "Name the state that the project is in, to find and compare it; all work is already saved",
+     icon::kBook,
+     {"Ctrl+S"},
+     false,
+     cannot_change,
+     checkpoint},
     {"file.export_video",
      "File",
      "Export video…",
@@ -212,7 +203,7 @@ constexpr std::array<RowData, 2> kUndoRows{{
      redo},
 }};
 
-constexpr std::array<RowData, 13> kEditRows{{
+constexpr std::array<RowData, 10> kEditRows{{
     {"edit.trim_in",
      "Edit",
      "Trim in at playhead",
@@ -270,7 +261,7 @@ constexpr std::array<RowData, 13> kEditRows{{
     {"edit.remove_demonstration",
      "Edit",
      "Delete demonstration",
-     "Take the selected demonstration out of the project; undo brings it back",
+     "Put the selected demonstration into the trash; undo or restore brings it back",
      icon::kTrash,
      {"Ctrl+Delete"},
      true,
@@ -285,33 +276,6 @@ constexpr std::array<RowData, 13> kEditRows{{
      false,
      cannot_remove_model,
      remove_model},
-    {"demo.record",
-     "Edit",
-     "Record…",
-     "Let the scripted operators carry out a transfer in the simulator and record it",
-     icon::kRecord,
-     {"R"},
-     true,
-     cannot_record,
-     act<UiAction::kShowRecord>},
-    {"demo.stop",
-     "Edit",
-     "Stop and keep",
-     "End the recording and put it into the project",
-     icon::kStop,
-     {"Shift+R"},
-     false,
-     cannot_stop,
-     stop_recording},
-    {"demo.discard",
-     "Edit",
-     "Stop and discard",
-     "End the recording and throw it away",
-     icon::kCross,
-     {"Shift+Backspace"},
-     false,
-     cannot_stop,
-     discard_recording},
     {"demo.verify",
      "Edit",
      "Verify replay",
@@ -333,6 +297,11 @@ constexpr std::array<RowData, 13> kEditRows{{
 }};
 
 }  // namespace
+
+std::string cannot_change(const State& state) {
+  if (state.load == LoadState::kLoading) return "The project is being opened";
+  return state.project == nullptr ? "No project is open" : "";
+}
 
 std::string cannot_edit(const State& state) {
   if (std::string reason = cannot_change(state); !reason.empty()) return reason;

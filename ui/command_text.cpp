@@ -34,8 +34,32 @@ struct EditText {
   static std::string named(const std::string& command, const std::string& name) {
     return name.empty() ? command : fmt::format("{} --name {}", command, shell_word(name));
   }
-  // The command line does not remove; there is nothing to copy.
-  std::string operator()(const RemoveDemonstration&) const { return ""; }
+  std::string operator()(const RemoveDemonstration& edit) const {
+    return fmt::format("trocar demo remove {} {}", project, edit.demonstration.value);
+  }
+  std::string operator()(const RestoreDemonstration& edit) const {
+    return fmt::format("trocar demo restore {} {}", project, edit.demonstration.value);
+  }
+  std::string operator()(const MarkDemonstration& edit) const {
+    std::string text = fmt::format("trocar demo tag {} {}", project, edit.demonstration.value);
+    const MarkChange& change = edit.change;
+    for (const std::string& tag : change.add) text += " --add " + shell_word(tag);
+    for (const std::string& tag : change.remove) text += " --remove " + shell_word(tag);
+    if (change.flag) text += fmt::format(" --flag {}", to_string(*change.flag));
+    if (change.verdict) text += fmt::format(" --verdict {}", to_string(*change.verdict));
+    if (change.rating) text += fmt::format(" --rating {}", *change.rating);
+    if (change.note) text += " --note " + shell_word(*change.note);
+    return text;
+  }
+  std::string operator()(const SaveFilter& edit) const {
+    return fmt::format("trocar demo filter {} {} {}", project, shell_word(edit.name), shell_word(edit.query));
+  }
+  std::string operator()(const RemoveFilter& edit) const {
+    return fmt::format("trocar demo filter {} {} --remove", project, shell_word(edit.name));
+  }
+  // What was planned is in the state, see below.
+  std::string operator()(const Batch&) const { return ""; }
+  // The command line does not remove models; there is nothing to copy.
   std::string operator()(const RemoveModel&) const { return ""; }
   static std::string words(const demonstration::Edit& edit) {
     std::string text;
@@ -136,6 +160,14 @@ std::string video_text(const ExportVideo& video, const std::string& project) {
   return text;
 }
 
+std::string batch_text(const BatchRequest& request, const std::string& project) {
+  std::string text = "trocar demo batch " + project;
+  for (const DemonstrationId id : request.demonstrations) text += fmt::format(" --demo {}", id.value);
+  text += " --";
+  for (const std::string& word : request.words) text += " " + shell_word(word);
+  return text;
+}
+
 }  // namespace
 
 std::string shell_word(const std::string& word) {
@@ -153,6 +185,13 @@ std::string shell_word(const std::string& word) {
 
 std::string command_text(const workbench::Command& command, const workbench::WorkbenchState& state) {
   const std::string project = shell_word(state.path.string());
+  if (const auto* edit = std::get_if<CommitEdit>(&command)) {
+    if (std::holds_alternative<Batch>(edit->edit) && state.batch) return batch_text(state.batch->of, project);
+  }
+  if (const auto* name = std::get_if<NameCheckpoint>(&command)) {
+    return fmt::format("trocar history {} --at {} --checkpoint {}", project, name->node,
+                       shell_word(name->name ? *name->name : unused_name(state.checkpoints)));
+  }
   if (const auto* edit = std::get_if<CommitEdit>(&command)) return std::visit(EditText{project}, edit->edit);
   if (std::holds_alternative<Undo>(command)) return "trocar undo " + project;
   if (std::holds_alternative<Redo>(command)) return "trocar redo " + project;

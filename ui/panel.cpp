@@ -5,6 +5,7 @@
 #include "ui/panels/diff_panel.h"
 #include "ui/panels/edits_panel.h"
 #include "ui/panels/fields_panel.h"
+#include "ui/panels/history_panel.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/library_panel.h"
 #include "ui/panels/problems_panel.h"

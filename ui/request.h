@@ -50,10 +50,6 @@ struct ShowPanel {
 struct ShowWorkspace {
   Workspace workspace = Workspace::kAuthor;
 };
-/// Opens the form of an edit, at what is selected or where the playhead is.
-struct BeginEdit {
-  demonstration::Edit edit;
-};
 /// Which keys mean what, from now on.
 struct ChooseKeys {
   KeyChoices keys;
@@ -69,6 +65,10 @@ struct Arrange {
 /// The layouts that are kept by name, of the workspace.
 struct KeepLayouts {
   std::vector<NamedLayout> layouts;
+};
+/// Opens the form of an edit, at what is selected or where the playhead is.
+struct BeginEdit {
+  demonstration::Edit edit;
 };
 /// Puts words on the clipboard.
 struct CopyText {

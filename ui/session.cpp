@@ -59,6 +59,7 @@ void Session::begin_input() {
   io.DisplaySize = {static_cast<float>(std::max(size.width, 1)), static_cast<float>(std::max(size.height, 1))};
   const double now_s = window_.now_s();
   io.DeltaTime = static_cast<float>(std::clamp(now_s - last_s_, 1e-4, 0.25));
+  ui_.set_gamepad(window_.gamepad());
   if (window_.input().apply(io) > 0) settling_ = std::max(settling_, 2);
 }
 

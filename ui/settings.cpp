@@ -32,23 +32,6 @@ void read_layouts(const Json& json, Settings& settings, Diagnostics& diagnostics
   }
 }
 
-std::uint32_t lanes_from(const Json& names) {
-  LaneSet hidden;
-  for (std::size_t i = 0; i < kLaneCount; ++i) {
-    const std::string_view name = name_of(static_cast<Lane>(i));
-    hidden[i] = std::any_of(names.begin(), names.end(), [&](const Json& each) { return each == std::string(name); });
-  }
-  return static_cast<std::uint32_t>(hidden.to_ulong());
-}
-
-Json names_of_lanes(std::uint32_t hidden) {
-  Json names = Json::array();
-  for (std::size_t i = 0; i < kLaneCount; ++i) {
-    if (LaneSet(hidden)[i]) names.push_back(std::string(name_of(static_cast<Lane>(i))));
-  }
-  return names;
-}
-
 void read_named_layouts(const Json& json, Settings& settings, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
     const std::string name(title(static_cast<Workspace>(i)));
@@ -75,6 +58,23 @@ Json json_of_named_layouts(const Settings& settings) {
     if (!own.empty()) named[std::string(title(static_cast<Workspace>(i)))] = std::move(own);
   }
   return named;
+}
+
+std::uint32_t lanes_from(const Json& names) {
+  LaneSet hidden;
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    const std::string_view name = name_of(static_cast<Lane>(i));
+    hidden[i] = std::any_of(names.begin(), names.end(), [&](const Json& each) { return each == std::string(name); });
+  }
+  return static_cast<std::uint32_t>(hidden.to_ulong());
+}
+
+Json names_of_lanes(std::uint32_t hidden) {
+  Json names = Json::array();
+  for (std::size_t i = 0; i < kLaneCount; ++i) {
+    if (LaneSet(hidden)[i]) names.push_back(std::string(name_of(static_cast<Lane>(i))));
+  }
+  return names;
 }
 
 }  // namespace

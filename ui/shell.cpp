@@ -40,7 +40,8 @@ float effective_scale(const Settings& settings, float content_scale) {
   return std::clamp(settings.scale > 0.0F ? settings.scale : content_scale, 0.75F, 3.0F);
 }
 
-Shell::Shell(Settings& settings) : settings_(settings), keymap_(std::make_shared<const Keymap>(settings.keys)) {
+Shell::Shell(Settings& settings)
+    : settings_(settings), tiles_(time_), keymap_(std::make_shared<const Keymap>(settings.keys)) {
   time_->hidden_lanes = settings_.hidden_lanes;
 }
 
@@ -124,7 +125,7 @@ Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
   if (keys_.capturing() || tiles_.dragging()) return requests;
   const bool typing = ImGui::GetIO().WantTextInput;
   const auto means = [&](const Chord& chord) {
-    if (!pressed(ui.input(), chord)) return false;
+    if (!pressed(ui.input(), chord) || TakeKeys::claims(chord, state)) return false;
     // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.
     const bool plain = !chord.modifiers.control && !chord.modifiers.alt;
     if ((typing || form_open()) && (plain || typing)) return false;
@@ -168,14 +169,14 @@ bool Shell::open_form(UiAction action, const Ui& ui) {
   if (action == UiAction::kShowExportField) return opened(field_);
   if (action == UiAction::kShowShortcuts) return opened(shortcuts_);
   if (action == UiAction::kShowAbout) return opened(about_);
+  if (action == UiAction::kShowKeys) return opened(keys_);
+  if (action == UiAction::kShowLayouts) return opened(layouts_);
+  if (action == UiAction::kShowHelp) page_.open_on(tiles_.current(ui));
   if (action == UiAction::kShowExportDemonstrations) return opened(demonstrations_);
   if (action == UiAction::kShowImport) {
     import_.open_on({});
     return true;
   }
-  if (action == UiAction::kShowKeys) return opened(keys_);
-  if (action == UiAction::kShowLayouts) return opened(layouts_);
-  if (action == UiAction::kShowHelp) page_.open_on(tiles_.current(ui));
   if (action == UiAction::kNewProject) file_.open_new();
   if (action == UiAction::kOpenProject) file_.open_existing();
   if (action == UiAction::kShowPalette) palette_.open();
@@ -247,9 +248,6 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
     } else if (const auto* workspace = std::get_if<ShowWorkspace>(&request)) {
       tiles_.maximise({});
       settings_.workspace = workspace->workspace;
-    } else if (const auto* begin = std::get_if<BeginEdit>(&request)) {
-      show_panel(PanelId::kEdits);
-      tiles_.begin_edit(begin->edit, state);
     } else if (const auto* keys = std::get_if<ChooseKeys>(&request)) {
       choose_keys(keys->keys);
     } else if (const auto* move = std::get_if<MovePanel>(&request)) {
@@ -258,6 +256,9 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
       arrange(tiles->layout);
     } else if (const auto* keep = std::get_if<KeepLayouts>(&request)) {
       settings_.named[static_cast<std::size_t>(settings_.workspace)] = keep->layouts;
+    } else if (const auto* begin = std::get_if<BeginEdit>(&request)) {
+      show_panel(PanelId::kEdits);
+      tiles_.panel(PanelId::kEdits).begin_edit(begin->edit, state);
     } else if (const auto* copy = std::get_if<CopyText>(&request)) {
       result.clipboard = copy->text;
     }
@@ -274,6 +275,7 @@ ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz, b
   if (!palette_.is_open() && !capturing) leave_field_on_tab(ui);
   Requests requests = take_keys(ui, state);
   append(requests, take_dropped(ui, state));
+  append(requests, take_keys_.follow(ui, state, !ImGui::GetIO().WantTextInput && !form_open()));
   if (close_asked) requests.emplace_back(UiAction::kQuit);
   append(requests, draw_host(ui, state, frames_hz));
   append(requests, draw_forms(ui, state));

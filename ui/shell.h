@@ -23,6 +23,7 @@
 #include "ui/panel.h"
 #include "ui/settings.h"
 #include "ui/status_line.h"
+#include "ui/take_keys.h"
 #include "ui/tile_area.h"
 
 namespace trocar::ui {
@@ -67,7 +68,7 @@ class Shell {
 
   Settings& settings_;
   std::shared_ptr<SharedTime> time_ = std::make_shared<SharedTime>();
-  TileArea tiles_{time_};
+  TileArea tiles_;
   LayoutHistory history_;
   RecordForm record_;
   FileForm file_;
@@ -82,6 +83,7 @@ class Shell {
   AboutForm about_;
   QuitForm quit_;
   Palette palette_;
+  TakeKeys take_keys_;
   StatusLine status_;
   std::string seen_done_;  ///< What the workbench did last, as it was told.
   ImVec2 pointer_when_done_;

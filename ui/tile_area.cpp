@@ -92,10 +92,6 @@ TileArea::TileArea(const std::shared_ptr<SharedTime>& time) {
   fronted_[static_cast<std::size_t>(PanelId::kView)] = front_counter_;
 }
 
-void TileArea::begin_edit(const demonstration::Edit& edit, const WorkbenchState& state) {
-  panels_[static_cast<std::size_t>(PanelId::kEdits)]->begin_edit(edit, state);
-}
-
 void TileArea::bring_to_front(Tile& layout, PanelId panel) {
   fronted_[static_cast<std::size_t>(panel)] = ++front_counter_;
   Tile* tile = find_panel(layout, panel);

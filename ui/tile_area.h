@@ -17,13 +17,13 @@ namespace trocar::ui {
 /// Threads: that of the window.
 class TileArea {
  public:
+  /// `time` is what panels over time show; they share it.
   explicit TileArea(const std::shared_ptr<SharedTime>& time);
 
   /// Draws the layout into `rect`, or one panel of it. Moves its bars and fronts; asks for everything else.
   void draw(Ui& ui, const WorkbenchState& state, const Rect& rect, Tile& layout, Requests& requests);
   void bring_to_front(Tile& layout, PanelId panel);
-  /// Opens the form of an edit.
-  void begin_edit(const demonstration::Edit& edit, const WorkbenchState& state);
+  Panel& panel(PanelId which) { return *panels_[static_cast<std::size_t>(which)]; }
 
   /// The panel that the keyboard is in, else that under the pointer, else the last one.
   PanelId current(const Ui& ui) const;

@@ -33,33 +33,6 @@ std::vector<demonstration::SegmentSpan> gated_segments(const demonstration::Demo
   return spans;
 }
 
-struct ListArguments {
-  std::string project;
-};
-
-std::string letters_of(const Json& segments) {
-  std::string letters;
-  for (const Json& segment : segments) letters += segment["label"].get<std::string>();
-  return letters;
-}
-
-Result<Answer> run_list(const ListArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
-                          open_to_read(arguments.project, console, Models::kDescribed));
-  Answer answer;
-  answer.json = {{"demonstrations", Json::array()}};
-  answer.summary = counted(file.project()->demonstrations.size(), "demonstration");
-  for (const auto& [id, demonstration] : file.project()->demonstrations) {
-    const Json json = demonstration_json(*demonstration);
-    answer.text += fmt::format(
-        "{}{:>4}  {:<24} {:>7.2f} s  {:>6} samples  {:<6} {:>5.0f} mm  {}", answer.text.empty() ? "" : "\n", id.value,
-        demonstration->name, demonstration->duration_s(), json["samples"].get<std::int64_t>(),
-        letters_of(json["segments"]), 1e3 * json["path_length_m"].get<double>(), json["outcome"].get<std::string>());
-    answer.json["demonstrations"].push_back(json);
-  }
-  return answer;
-}
-
 struct ShowArguments {
   std::string project;
   std::string demonstration;
@@ -119,10 +92,7 @@ void add_demo_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun =
       *root.add_subcommand("demo", "Record, edit, check, replay and exchange demonstrations")->require_subcommand(1);
   add_demo_record_commands(noun, chosen);
-  add_verb<ListArguments>(
-      noun, chosen, "list", "List the demonstrations",
-      [](CLI::App& verb, ListArguments& a) { verb.add_option("PROJECT", a.project, "The project file")->required(); },
-      run_list);
+  add_demo_library_commands(noun, chosen);
   add_verb<ShowArguments>(
       noun, chosen, "show", "Say everything about one demonstration",
       [](CLI::App& verb, ShowArguments& a) {

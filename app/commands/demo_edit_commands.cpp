@@ -292,7 +292,7 @@ Result<Answer> run_remove(const RemoveArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(workbench::RemoveDemonstration{demonstration->id}));
   Answer answer;
   answer.json = {{"id", id}, {"demonstration", demonstration->id.value}};
-  answer.summary = fmt::format("removed {}; undo brings it back", demonstration->name);
+  answer.summary = fmt::format("removed {}; undo or restore brings it back", demonstration->name);
   return answer;
 }
 
@@ -335,7 +335,7 @@ void add_demo_edit_commands(CLI::App& noun, Action& chosen) {
       },
       run_stack);
   add_verb<RemoveArguments>(
-      noun, chosen, "remove", "Take a demonstration out of the project",
+      noun, chosen, "remove", "Put a demonstration into the trash",
       [](CLI::App& verb, RemoveArguments& a) { bind_target(verb, a.target); }, run_remove);
 }
 

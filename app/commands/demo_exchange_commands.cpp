@@ -7,6 +7,7 @@
 #include "engine/exchange/exchange.h"
 #include "engine/exchange/map_presets.h"
 #include "engine/workbench/importing.h"
+#include "engine/workbench/saved_filters.h"
 
 namespace trocar::app {
 namespace {
@@ -284,6 +285,10 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
     documents.push_back(document);
   }
   exchange::Masks masks;
+  if (format == exchange::Format::kHdf5) {
+    TROCAR_ASSIGN_OR_RETURN(masks, workbench::filter_keys({file.project(), file.replays()}, documents,
+                                                          console.progress(), console.diagnostics));
+  }
   for (const std::string& text : arguments.masks) {
     TROCAR_RETURN_IF_ERROR(take_mask(*file.project(), text, documents, masks));
   }

@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <map>
+
 #include "app/commands/demo_commands.h"
+#include "engine/core/file.h"
+#include "engine/trial/key_script.h"
 #include "engine/trial/transfer_session.h"
 #include "engine/workbench/jobs/record_job.h"
 
@@ -13,12 +17,45 @@ struct RecordArguments {
   std::string skill = "expert";
   trial::TransferOptions options;
   std::string name;
+  // Of a take by keys.
+  std::string script;
+  std::string mode = "continuous";
+  std::string left = "hand";
+  std::string right = "scripted";
+  std::string replay;
+  double from_s = -1.0;
+  double to_s = -1.0;
 };
+
+const std::map<std::string, trial::HandMode> kModes{{"continuous", trial::HandMode::kContinuous},
+                                                    {"step", trial::HandMode::kStep},
+                                                    {"waypoint", trial::HandMode::kWaypoint}};
+const std::map<std::string, trial::ArmSource> kSources{{"hand", trial::ArmSource::kHand},
+                                                       {"scripted", trial::ArmSource::kScripted},
+                                                       {"replay", trial::ArmSource::kReplay},
+                                                       {"still", trial::ArmSource::kStill}};
+
+void bind_keys(CLI::App& verb, RecordArguments& arguments) {
+  verb.add_option("--script", arguments.script, "The file of timed key presses; operator keys");
+  verb.add_option("--mode", arguments.mode, "How keys move the tool: continuous, step or waypoint; operator keys")
+      ->check(CLI::IsMember(kModes))
+      ->capture_default_str();
+  verb.add_option("--left", arguments.left, "Who drives the left arm: hand, scripted, replay or still; operator keys")
+      ->check(CLI::IsMember(kSources))
+      ->capture_default_str();
+  verb.add_option("--right", arguments.right, "Who drives the right arm, likewise; operator keys")
+      ->check(CLI::IsMember(kSources))
+      ->capture_default_str();
+  verb.add_option("--replay", arguments.replay, "The demonstration whose arm is replayed, or part replaced");
+  verb.add_option("--from", arguments.from_s, "Seconds: replace what is from here …; with --replay")
+      ->check(CLI::NonNegativeNumber);
+  verb.add_option("--to", arguments.to_s, "… to here by what is recorded")->check(CLI::NonNegativeNumber);
+}
 
 void bind_record(CLI::App& verb, RecordArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
-  verb.add_option("--operator", arguments.operator_kind, "Who drives: scripted")
-      ->check(CLI::IsMember({"scripted"}))
+  verb.add_option("--operator", arguments.operator_kind, "Who drives: scripted, or keys as in --script")
+      ->check(CLI::IsMember({"scripted", "keys"}))
       ->capture_default_str();
   verb.add_option("--skill", arguments.skill, "expert, trained or novice")
       ->check(CLI::IsMember({"expert", "trained", "novice"}))
@@ -32,18 +69,10 @@ void bind_record(CLI::App& verb, RecordArguments& arguments) {
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
   verb.add_option("--name", arguments.name, "Name (else made from the skill)");
+  bind_keys(verb, arguments);
 }
 
-Result<Answer> run_record(const RecordArguments& arguments, Console& console) {
-  trial::TransferOptions options = arguments.options;
-  TROCAR_ASSIGN_OR_RETURN(options.skill, trial::skill_from(arguments.skill));
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
-  const std::string name = arguments.name.empty() ? workbench::demonstration_name(*file.project(), options.skill)
-                                                  : free_demonstration_name(*file.project(), arguments.name, console);
-  const double begin_s = console.clock->now_s();
-  TROCAR_ASSIGN_OR_RETURN(const workbench::RecordReport report,
-                          workbench::record_transfer(file, options, name, console.progress()));
-  const double seconds = console.clock->now_s() - begin_s;
+Answer answer_of(const workbench::ProjectFile& file, const workbench::RecordReport& report, double seconds) {
   Answer answer;
   answer.json = demonstration_json(*file.project()->demonstrations.at(report.id));
   answer.json["outcome"] = demonstration::to_string(report.outcome);
@@ -55,8 +84,64 @@ Result<Answer> run_record(const RecordArguments& arguments, Console& console) {
   answer.summary = fmt::format("{}, {}, {:.2f} s, {} samples, {:.0f} × real time",
                                demonstration::to_string(report.outcome), report.placed ? "placed" : "not placed",
                                report.duration_s, report.samples, report.duration_s / std::max(seconds, 1e-9));
-  answer.text = fmt::format("Demonstration {} ({}): {}", report.id.value, name, answer.summary);
+  answer.text = fmt::format("Demonstration {} ({}): {}", report.id.value,
+                            file.project()->demonstrations.at(report.id)->name, answer.summary);
   return answer;
+}
+
+Result<workbench::RecordByHand> take_of(const RecordArguments& arguments, const workbench::Project& project) {
+  workbench::RecordByHand request;
+  request.options.sources = {kSources.at(arguments.left), kSources.at(arguments.right)};
+  request.options.mode = kModes.at(arguments.mode);
+  TROCAR_ASSIGN_OR_RETURN(request.options.skill, trial::skill_from(arguments.skill));
+  request.options.seed = arguments.options.seed;
+  request.options.block = arguments.options.block;
+  request.options.goal = arguments.options.goal;
+  request.options.time_limit_s = 3600.0;  // the script has an end
+  request.options.countdown_s = 0.0;
+  const bool punches = arguments.from_s >= 0.0 || arguments.to_s >= 0.0;
+  if (punches && (arguments.from_s < 0.0 || arguments.to_s <= arguments.from_s || arguments.replay.empty())) {
+    return fail(ErrorCode::kInvalidArgument, "to replace a part, say which: --replay DEMO --from S --to S");
+  }
+  if (punches) request.punch = workbench::TimeSpan{arguments.from_s, arguments.to_s};
+  if (arguments.replay.empty()) return request;
+  TROCAR_ASSIGN_OR_RETURN(const auto replayed, find_demonstration(project, arguments.replay));
+  request.replayed = replayed->id;
+  return request;
+}
+
+Result<Answer> run_keys(const RecordArguments& arguments, Console& console) {
+  if (arguments.script.empty())
+    return fail(ErrorCode::kInvalidArgument, "operator keys needs a --script of key presses");
+  TROCAR_ASSIGN_OR_RETURN(const std::string text, read_file(arguments.script));
+  const auto strokes = trial::parse_key_script(text);
+  if (!strokes) return tl::unexpected(Error(strokes.error()).at(arguments.script));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
+  TROCAR_ASSIGN_OR_RETURN(workbench::RecordByHand request, take_of(arguments, *file.project()));
+  if (!arguments.name.empty()) request.name = free_demonstration_name(*file.project(), arguments.name, console);
+  const double begin_s = console.clock->now_s();
+  TROCAR_ASSIGN_OR_RETURN(const workbench::RecordReport report,
+                          workbench::record_keys(file, request, *strokes, console.progress()));
+  Answer answer = answer_of(file, report, console.clock->now_s() - begin_s);
+  answer.json["limited_samples"] = report.limited;
+  answer.json["unreachable_samples"] = report.refused;
+  if (report.limited > 0) answer.text += fmt::format("; at a limit in {} samples", report.limited);
+  if (report.refused > 0) answer.text += fmt::format("; out of reach in {} samples", report.refused);
+  return answer;
+}
+
+Result<Answer> run_record(const RecordArguments& arguments, Console& console) {
+  if (arguments.operator_kind == "keys") return run_keys(arguments, console);
+  if (!arguments.script.empty()) return fail(ErrorCode::kInvalidArgument, "a --script is played by operator keys");
+  trial::TransferOptions options = arguments.options;
+  TROCAR_ASSIGN_OR_RETURN(options.skill, trial::skill_from(arguments.skill));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
+  const std::string name = arguments.name.empty() ? workbench::demonstration_name(*file.project(), options.skill)
+                                                  : free_demonstration_name(*file.project(), arguments.name, console);
+  const double begin_s = console.clock->now_s();
+  TROCAR_ASSIGN_OR_RETURN(const workbench::RecordReport report,
+                          workbench::record_transfer(file, options, name, console.progress()));
+  return answer_of(file, report, console.clock->now_s() - begin_s);
 }
 
 struct ReplayArguments {
@@ -71,12 +156,23 @@ void bind_replay(CLI::App& verb, ReplayArguments& arguments) {
   verb.add_flag("--verify", arguments.verify, "Compare the state hashes on the way; exit 1 where they differ");
 }
 
+/// The library shows it. Where nothing can be written the answer alone tells.
+void keep_found(const std::string& project, demonstration::RecordingId recording, const trial::ReplayResult& result,
+                Console& console) {
+  Result<workbench::ProjectFile> file =
+      open_project(project, console, workbench::ProjectFile::Purpose::kMove, Models::kDescribed);
+  const Status kept = file ? file->keep_replay(recording, workbench::found_of(result))
+                           : Status(tl::unexpected(std::move(file).error()));
+  if (!kept) console.diagnostics.warn("what the replay found is not kept: " + kept.error().text());
+}
+
 Result<Answer> run_replay(const ReplayArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const trial::ReplayResult result,
                           trial::replay(*demonstration->recording, console.progress()));
+  if (arguments.verify) keep_found(arguments.project, demonstration->recording->id, result, console);
   Answer answer;
   answer.json = {{"id", demonstration->id.value},
                  {"verified", result.verified},

@@ -5,6 +5,7 @@
 
 #include "app/options.h"
 #include "engine/core/file.h"
+#include "engine/device/space_mouse.h"
 #include "engine/media/video_writer.h"
 #include "engine/render/renderer.h"
 
@@ -44,6 +45,11 @@ Finding examine_assets() {
   return {"files", "assets", found, found ? assets.string() : "not found at " + assets.string()};
 }
 
+Finding examine_space_mouse() {
+  const Result<device::SpaceMouse> found = device::SpaceMouse::open();
+  return {"devices", "SpaceMouse", found.has_value(), found ? "through spacenavd" : found.error().text()};
+}
+
 Finding examine_display() {
   for (const char* variable : {"WAYLAND_DISPLAY", "DISPLAY"}) {
     const char* value = std::getenv(variable);
@@ -59,6 +65,9 @@ Result<Answer> run_doctor(const NoArguments& /*arguments*/, Console& /*console*/
   findings.push_back(examine_assets());
   findings.push_back(examine_display());
   findings.push_back({"devices", "simulated arms", true, "both PSMs, in ODE"});
+  findings.push_back({"devices", "keyboard and mouse", true, "in the window"});
+  findings.push_back({"devices", "gamepad", true, "in the window, if one is plugged in (GLFW)"});
+  findings.push_back(examine_space_mouse());
   findings.push_back({"devices", "physical arms", false, "this version drives simulated arms only"});
   findings.push_back({"links", "network", false, "this version has no teleoperation link"});
 

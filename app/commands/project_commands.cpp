@@ -71,29 +71,45 @@ std::string place_of(const workbench::ProjectFile& file, std::int64_t id) {
 }
 
 /// One line for each node, children under their parent; a branch is indented, the line that goes on is not.
-void print_tree(const std::map<std::int64_t, std::vector<const workbench::HistoryNode*>>& children, std::int64_t parent,
-                std::int64_t head, int depth, std::string& text) {
+void print_tree(const std::map<std::int64_t, std::vector<const workbench::HistoryNode*>>& children,
+                const workbench::ProjectFile& file, std::int64_t parent, int depth, std::string& text) {
   const auto found = children.find(parent);
   if (found == children.end()) return;
   const auto& nodes = found->second;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const int own_depth = i + 1 == nodes.size() ? depth : depth + 1;
-    text += fmt::format("{} {:>4}  {:{}}{}  ({})\n", nodes[i]->id == head ? '>' : ' ', nodes[i]->id, "", 2 * own_depth,
+    const auto name = file.checkpoints().find(nodes[i]->id);
+    text += fmt::format("{} {:>4}  {:{}}{}{}  ({})\n", nodes[i]->id == file.head() ? '>' : ' ', nodes[i]->id, "",
+                        2 * own_depth, name == file.checkpoints().end() ? "" : fmt::format("[{}] ", name->second),
                         nodes[i]->description, nodes[i]->time);
-    print_tree(children, nodes[i]->id, head, own_depth, text);
+    print_tree(children, file, nodes[i]->id, own_depth, text);
   }
+}
+
+Json checkpoint_json(const workbench::ProjectFile& file, std::int64_t node) {
+  const auto name = file.checkpoints().find(node);
+  return name == file.checkpoints().end() ? Json() : Json(name->second);
 }
 
 struct HistoryArguments {
   std::string project;
   std::optional<std::int64_t> go;
+  std::optional<std::string> checkpoint;
+  std::optional<std::int64_t> at;  ///< Of the checkpoint; none: where the project stands.
 };
 
 Result<Answer> run_history(const HistoryArguments& arguments, Console& console) {
-  const auto purpose = arguments.go ? workbench::ProjectFile::Purpose::kMove : workbench::ProjectFile::Purpose::kRead;
+  if (arguments.at && !arguments.checkpoint) {
+    return fail(ErrorCode::kInvalidArgument, "--at says of which edit --checkpoint is the name");
+  }
+  const bool changes = arguments.go || arguments.checkpoint;
+  const auto purpose = changes ? workbench::ProjectFile::Purpose::kMove : workbench::ProjectFile::Purpose::kRead;
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
                           open_project(arguments.project, console, purpose, Models::kDescribed));
   if (arguments.go) TROCAR_RETURN_IF_ERROR(file.go_to(*arguments.go));
+  if (arguments.checkpoint) {
+    TROCAR_RETURN_IF_ERROR(file.name_checkpoint(arguments.at.value_or(file.head()), *arguments.checkpoint));
+  }
   Answer answer;
   answer.json = {{"head", file.head()}, {"history", Json::array()}};
   std::map<std::int64_t, std::vector<const workbench::HistoryNode*>> children;
@@ -103,12 +119,17 @@ Result<Answer> run_history(const HistoryArguments& arguments, Console& console) 
                                       {"name", node.name},
                                       {"description", node.description},
                                       {"time", node.time},
+                                      {"checkpoint", checkpoint_json(file, node.id)},
                                       {"head", node.id == file.head()}});
     children[node.parent].push_back(&node);
   }
   answer.summary = counted(file.history().size(), "edit");
   if (arguments.go) answer.summary = "now at " + place_of(file, file.head());
-  print_tree(children, 0, file.head(), 0, answer.text);
+  if (arguments.checkpoint) {
+    answer.summary =
+        fmt::format("{} is now \"{}\"", place_of(file, arguments.at.value_or(file.head())), *arguments.checkpoint);
+  }
+  print_tree(children, file, 0, 0, answer.text);
   if (!answer.text.empty()) answer.text.pop_back();
   return answer;
 }
@@ -164,6 +185,8 @@ void add_project_commands(CLI::App& root, Action& chosen) {
       [](CLI::App& verb, HistoryArguments& a) {
         verb.add_option("PROJECT", a.project, "The project file")->required();
         verb.add_option("--go", a.go, "Make the project as it was after this edit, by its number; 0: empty");
+        verb.add_option("--checkpoint", a.checkpoint, "Name the edit that the project stands at; empty: no name");
+        verb.add_option("--at", a.at, "Name this edit instead, by its number");
       },
       run_history);
   add_verb<ProjectArguments>(root, chosen, "recover", "Take in recordings that were cut off, as every edit does", bind,

@@ -12,13 +12,13 @@
 namespace trocar::app {
 namespace {
 
-struct RunArguments {
+struct ScriptArguments {
   std::string script;
   std::string out = "out";
   std::vector<std::string> settings;
 };
 
-void bind_run(CLI::App& verb, RunArguments& arguments) {
+void bind_script(CLI::App& verb, ScriptArguments& arguments) {
   verb.add_option("SCRIPT", arguments.script, "A text file of trocar commands, one a line")->required();
   verb.add_option("--out", arguments.out, "The folder that ${out} stands for; made if missing")->capture_default_str();
   verb.footer(
@@ -30,7 +30,7 @@ void bind_run(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("--set", arguments.settings, "NAME=VALUE: a variable of the script");
 }
 
-Result<Variables> variables_of(const RunArguments& arguments) {
+Result<Variables> variables_of(const ScriptArguments& arguments) {
   Variables variables = {{"out", arguments.out},
                          {"here", std::filesystem::path(arguments.script).parent_path().string()}};
   for (const std::string& setting : arguments.settings) {
@@ -111,7 +111,7 @@ class Nesting {
   int& depth_;
 };
 
-Result<Answer> run_script(const RunArguments& arguments, Console& console) {
+Result<Answer> run_script(const ScriptArguments& arguments, Console& console) {
   const Nesting nesting(console);
   if (nesting.too_deep()) {
     return tl::unexpected(
@@ -160,8 +160,8 @@ Result<Answer> run_script(const RunArguments& arguments, Console& console) {
 }  // namespace
 
 void add_run_command(CLI::App& root, Action& chosen) {
-  add_verb<RunArguments>(root, chosen, "run", "Run a script of trocar commands; stops at the first failure", bind_run,
-                         run_script);
+  add_verb<ScriptArguments>(root, chosen, "run", "Run a script of trocar commands; stops at the first failure",
+                            bind_script, run_script);
 }
 
 }  // namespace trocar::app

@@ -36,7 +36,7 @@ void bind_common(CLI::App& verb, UiArguments& arguments) {
   verb.add_flag("--light", arguments.light, "The same as --theme light");
 }
 
-void bind_run(CLI::App& verb, UiArguments& arguments) {
+void bind_window(CLI::App& verb, UiArguments& arguments) {
   bind_common(verb, arguments);
   verb.add_option("--screenshot", arguments.screenshot, "F.png: the window as it is at the end");
 }
@@ -64,7 +64,7 @@ Result<ui::UiRunOptions> options_of(const UiArguments& arguments, const Progress
   return options;
 }
 
-Result<Answer> run_run(const UiArguments& arguments, Console& console) {
+Result<Answer> run_window(const UiArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const ui::UiRunOptions options, options_of(arguments, console.progress()));
   TROCAR_ASSIGN_OR_RETURN(const ui::UiRunReport report, ui::run_headless(options));
   Answer answer;
@@ -117,7 +117,8 @@ Result<Answer> run_manual(const UiArguments& arguments, Console& console) {
 
 void add_ui_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun = *root.add_subcommand("ui", "The workbench without a display")->require_subcommand(1);
-  add_verb<UiArguments>(noun, chosen, "run", "Use the window from a script and take pictures of it", bind_run, run_run);
+  add_verb<UiArguments>(noun, chosen, "run", "Use the window from a script and take pictures of it", bind_window,
+                        run_window);
   add_verb<UiArguments>(noun, chosen, "dump", "Print the list of widgets", bind_dump, run_dump);
   add_verb<UiArguments>(noun, chosen, "manual", "Write the manual: commands, keys, panels with their pictures",
                         bind_manual, run_manual);

@@ -11,7 +11,7 @@
 namespace trocar::app {
 namespace {
 
-struct RenderArguments {
+struct ViewArguments {
   std::string project;
   std::string demonstration;
   std::optional<double> at_s;
@@ -24,7 +24,7 @@ struct RenderArguments {
   std::string out;
 };
 
-void bind_render(CLI::App& verb, RenderArguments& arguments) {
+void bind_view(CLI::App& verb, ViewArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("DEMO", arguments.demonstration, "Demonstration by id or name")->required();
   verb.add_option("--at", arguments.at_s, "Seconds since the recording began (default: the middle)");
@@ -58,7 +58,7 @@ Result<stage::FieldLayer> layer_of(const workbench::ModelEntry& entry, const std
                                 settings);
 }
 
-Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
+Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png"}));
   TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
   TROCAR_ASSIGN_OR_RETURN(
@@ -114,7 +114,7 @@ Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
 
 void add_view_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun = *root.add_subcommand("view", "Pictures of the scene")->require_subcommand(1);
-  add_verb<RenderArguments>(noun, chosen, "render", "Draw one moment of a demonstration", bind_render, run_render);
+  add_verb<ViewArguments>(noun, chosen, "render", "Draw one moment of a demonstration", bind_view, run_view);
 }
 
 }  // namespace trocar::app

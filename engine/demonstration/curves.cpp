@@ -13,9 +13,9 @@
 namespace trocar::demonstration {
 namespace {
 
-constexpr std::array<std::string_view, kCurveKindCount> kNames{"x",    "y",   "z",        "speed", "acceleration",
-                                                               "jerk", "jaw", "clearance"};
-constexpr std::array<std::string_view, kCurveKindCount> kUnits{"m", "m", "m", "m/s", "m/s^2", "m/s^3", "rad", "m"};
+constexpr std::array<std::string_view, kCurveKindCount> kCurveNames{"x",    "y",   "z",        "speed", "acceleration",
+                                                                    "jerk", "jaw", "clearance"};
+constexpr std::array<std::string_view, kCurveKindCount> kCurveUnits{"m", "m", "m", "m/s", "m/s^2", "m/s^3", "rad", "m"};
 
 class CurveWriter {
  public:
@@ -58,18 +58,18 @@ bool is_motion(CurveKind kind) {
 }  // namespace
 
 std::string_view to_string(CurveKind kind) {
-  return kNames[static_cast<std::size_t>(kind)];
+  return kCurveNames[static_cast<std::size_t>(kind)];
 }
 
 std::string_view si_unit(CurveKind kind) {
-  return kUnits[static_cast<std::size_t>(kind)];
+  return kCurveUnits[static_cast<std::size_t>(kind)];
 }
 
 Result<CurveKind> curve_kind_from(std::string_view text) {
-  const auto* found = std::find(kNames.begin(), kNames.end(), text);
-  if (found != kNames.end()) return static_cast<CurveKind>(found - kNames.begin());
+  const auto* found = std::find(kCurveNames.begin(), kCurveNames.end(), text);
+  if (found != kCurveNames.end()) return static_cast<CurveKind>(found - kCurveNames.begin());
   std::string names;
-  for (const std::string_view name : kNames) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+  for (const std::string_view name : kCurveNames) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
   return fail(ErrorCode::kInvalidArgument, fmt::format("there is no curve '{}'; there are {}", text, names));
 }
 

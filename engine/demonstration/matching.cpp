@@ -11,11 +11,11 @@
 namespace trocar::demonstration {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"time", "arc", "dtw", "segment"};
+constexpr std::array<std::string_view, 4> kAlignmentNames{"time", "arc", "dtw", "segment"};
 constexpr double kTimeTolerance_s = 1e-9;
 
 /// What lies between the gates, unpacked once.
-struct Path {
+struct TimedPath {
   std::vector<std::int64_t> ticks;
   std::vector<double> t_s;  ///< Of the demonstration.
   std::vector<TipPair> tips;
@@ -23,8 +23,8 @@ struct Path {
   std::size_t size() const { return tips.size(); }
 };
 
-Path path_of(const Demonstration& document) {
-  Path path;
+TimedPath path_of(const Demonstration& document) {
+  TimedPath path;
   for (const Sample& sample : document.gated()) {
     path.ticks.push_back(sample.tick);
     path.t_s.push_back(document.time_of(sample));
@@ -34,7 +34,7 @@ Path path_of(const Demonstration& document) {
 }
 
 /// Between two samples, or the first or last beyond the ends. Precondition: `along` is not empty and does not decrease.
-Eigen::Vector3d tip_at(const Path& path, const std::vector<double>& along, double at, std::size_t arm) {
+Eigen::Vector3d tip_at(const TimedPath& path, const std::vector<double>& along, double at, std::size_t arm) {
   const auto after =
       static_cast<std::size_t>(std::lower_bound(along.begin(), along.end(), at - kTimeTolerance_s) - along.begin());
   if (after == 0) return path.tips.front()[arm];
@@ -44,7 +44,7 @@ Eigen::Vector3d tip_at(const Path& path, const std::vector<double>& along, doubl
   return low + share * (path.tips[after][arm] - low);
 }
 
-double time_at(const Path& path, const std::vector<double>& along, double at) {
+double time_at(const TimedPath& path, const std::vector<double>& along, double at) {
   const auto after = static_cast<std::size_t>(std::lower_bound(along.begin(), along.end(), at) - along.begin());
   if (after == 0) return path.t_s.front();
   if (after == along.size()) return path.t_s.back();
@@ -52,11 +52,11 @@ double time_at(const Path& path, const std::vector<double>& along, double at) {
   return path.t_s[after - 1] + share * (path.t_s[after] - path.t_s[after - 1]);
 }
 
-Match pair(const Path& before, std::size_t i, const Path& after, std::size_t j) {
+Match pair(const TimedPath& before, std::size_t i, const TimedPath& after, std::size_t j) {
   return {after.t_s[j], {before.t_s[i], before.t_s[i]}, after.tips[j], before.tips[i]};
 }
 
-std::vector<Match> by_tick(const Path& before, const Path& after) {
+std::vector<Match> by_tick(const TimedPath& before, const TimedPath& after) {
   std::vector<Match> matches;
   for (std::size_t i = 0, j = 0; i < before.size() && j < after.size();) {
     if (before.ticks[i] == after.ticks[j]) matches.push_back(pair(before, i, after, j));
@@ -69,7 +69,7 @@ std::vector<Match> by_tick(const Path& before, const Path& after) {
 
 /// `to_before` gives the time of `before` that answers to one of `after`.
 template <typename ToBefore>
-std::vector<Match> by_time(const Path& before, const Path& after, ToBefore to_before) {
+std::vector<Match> by_time(const TimedPath& before, const TimedPath& after, ToBefore to_before) {
   std::vector<Match> matches;
   for (std::size_t j = 0; j < after.size(); ++j) {
     const double before_s = to_before(after.t_s[j]);
@@ -83,7 +83,7 @@ std::vector<Match> by_time(const Path& before, const Path& after, ToBefore to_be
 }
 
 /// From 0 to 1 along the path of one tool; of a tool that does not move, along its time.
-std::vector<double> shares_of(const Path& path, std::size_t arm) {
+std::vector<double> shares_of(const TimedPath& path, std::size_t arm) {
   std::vector<double> shares(path.size(), 0.0);
   for (std::size_t i = 1; i < path.size(); ++i) {
     shares[i] = shares[i - 1] + (path.tips[i][arm] - path.tips[i - 1][arm]).norm();
@@ -96,7 +96,7 @@ std::vector<double> shares_of(const Path& path, std::size_t arm) {
   return shares;
 }
 
-std::vector<Match> by_arc(const Path& before, const Path& after) {
+std::vector<Match> by_arc(const TimedPath& before, const TimedPath& after) {
   std::vector<Match> matches(after.size());
   for (std::size_t arm = 0; arm < 2; ++arm) {
     const std::vector<double> from = shares_of(before, arm);
@@ -111,7 +111,7 @@ std::vector<Match> by_arc(const Path& before, const Path& after) {
   return matches;
 }
 
-std::vector<Match> by_warping(const Path& before, const Path& after) {
+std::vector<Match> by_warping(const TimedPath& before, const TimedPath& after) {
   std::vector<Match> matches;
   double nearest_m = 0.0;
   for (const WarpStep& step : warp(before.tips, after.tips)) {
@@ -141,8 +141,8 @@ std::vector<std::pair<double, double>> anchors_of(const Demonstration& before, c
   return anchors;
 }
 
-Result<std::vector<Match>> by_segment(const Demonstration& before, const Path& from, const Demonstration& after,
-                                      const Path& to) {
+Result<std::vector<Match>> by_segment(const Demonstration& before, const TimedPath& from, const Demonstration& after,
+                                      const TimedPath& to) {
   std::vector<std::pair<double, double>> anchors = anchors_of(before, after);
   if (anchors.size() == 1) {
     return fail(ErrorCode::kInvalidArgument,
@@ -163,19 +163,19 @@ Result<std::vector<Match>> by_segment(const Demonstration& before, const Path& f
 }  // namespace
 
 std::string_view to_string(Alignment alignment) {
-  return kNames[static_cast<std::size_t>(alignment)];
+  return kAlignmentNames[static_cast<std::size_t>(alignment)];
 }
 
 Result<Alignment> alignment_from(std::string_view text) {
-  const auto* found = std::find(kNames.begin(), kNames.end(), text);
-  if (found != kNames.end()) return static_cast<Alignment>(found - kNames.begin());
+  const auto* found = std::find(kAlignmentNames.begin(), kAlignmentNames.end(), text);
+  if (found != kAlignmentNames.end()) return static_cast<Alignment>(found - kAlignmentNames.begin());
   return fail(ErrorCode::kInvalidArgument,
               fmt::format("there is no alignment '{}'; there are time, arc, dtw, segment", text));
 }
 
 Result<std::vector<Match>> match(const Demonstration& before, const Demonstration& after, Alignment alignment) {
-  const Path from = path_of(before);
-  const Path to = path_of(after);
+  const TimedPath from = path_of(before);
+  const TimedPath to = path_of(after);
   if (from.size() == 0 || to.size() == 0) {
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("{} has no samples between its gates", from.size() == 0 ? before.name : after.name));

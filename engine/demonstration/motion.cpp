@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace trocar::demonstration {
 namespace {
@@ -49,8 +50,40 @@ std::vector<MotionPoint> motion_of(const Demonstration& document, std::size_t ar
   return motion_of(document.gated(), document.first_tick(), arm);
 }
 
-std::vector<MotionPoint> motion_of(const SampleTrack& samples, std::int64_t first_tick, std::size_t arm) {
-  const std::vector<Knot> knots = knots_of(samples, first_tick, arm);
+namespace {
+
+constexpr double kTremorFilter_s = 0.050;
+
+/// The mean of a knot and those within 0.15 s of it, weighed by how near they are in time. The weights are the same on
+/// both sides, so that what moves evenly stays as it is. Nothing where an end or a gap is nearer than that.
+std::optional<Eigen::Vector3d> smoothed_at(const std::vector<Knot>& knots, std::size_t i) {
+  Eigen::Vector3d sum = knots[i].p_WT;
+  double weights = 1.0;
+  for (std::size_t by = 1;; ++by) {
+    if (by > i || i + by >= knots.size()) return std::nullopt;
+    const Knot& before = knots[i - by];
+    const Knot& after = knots[i + by];
+    if (after.t_s - before.t_s > 6.0 * kTremorFilter_s) break;
+    const bool gap =
+        knots[i - by + 1].t_s - before.t_s > kMotionGap_s || after.t_s - knots[i + by - 1].t_s > kMotionGap_s;
+    if (gap) return std::nullopt;
+    const double away = 0.5 * (after.t_s - before.t_s) / kTremorFilter_s;
+    const double weight = std::exp(-0.5 * away * away);
+    sum += weight * (before.p_WT + after.p_WT);
+    weights += 2.0 * weight;
+  }
+  return sum / weights;
+}
+
+std::vector<Knot> without_tremor(const std::vector<Knot>& knots) {
+  std::vector<Knot> smooth;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (const auto p_WT = smoothed_at(knots, i)) smooth.push_back({knots[i].t_s, *p_WT});
+  }
+  return smooth;
+}
+
+std::vector<MotionPoint> points_of(const std::vector<Knot>& knots) {
   std::vector<MotionPoint> points;
   for (std::size_t i = 0; i + 4 <= knots.size(); ++i) {
     const std::span<const Knot, 4> four(&knots[i], 4);
@@ -60,6 +93,23 @@ std::vector<MotionPoint> motion_of(const SampleTrack& samples, std::int64_t firs
     if (whole) points.push_back(point_at(four));
   }
   return points;
+}
+
+}  // namespace
+
+std::vector<MotionPoint> motion_of(const SampleTrack& samples, std::int64_t first_tick, std::size_t arm) {
+  return points_of(knots_of(samples, first_tick, arm));
+}
+
+JerkSummary jerk_without_tremor(const Demonstration& document, std::size_t arm) {
+  const std::vector<MotionPoint> points =
+      points_of(without_tremor(knots_of(document.gated(), document.first_tick(), arm)));
+  JerkSummary summary;
+  for (const MotionPoint& point : points) {
+    summary.mean_m_s3 += point.jerk_m_s3 / static_cast<double>(points.size());
+    summary.peak_m_s3 = std::max(summary.peak_m_s3, point.jerk_m_s3);
+  }
+  return summary;
 }
 
 double path_length_m(const Demonstration& document, std::size_t arm) {

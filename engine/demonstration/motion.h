@@ -34,6 +34,15 @@ std::vector<MotionPoint> motion_of(const Demonstration& document, std::size_t ar
 /// Of any samples; times count from `first_tick`.
 std::vector<MotionPoint> motion_of(const SampleTrack& samples, std::int64_t first_tick, std::size_t arm);
 
+/// Of a path that went through a Gaussian of 50 ms in time: of a tremor at 10 Hz a hundredth is left, of a motion that
+/// takes a second nearly all.
+struct JerkSummary {
+  double mean_m_s3 = 0.0;  ///< Of its magnitude.
+  double peak_m_s3 = 0.0;
+};
+/// Of one arm between the gates, without 0.15 s at the ends; 0 for what is shorter than 0.4 s.
+JerkSummary jerk_without_tremor(const Demonstration& document, std::size_t arm);
+
 /// Beyond this, two neighbours are apart: nothing is said of what was between them.
 constexpr double kMotionGap_s = 0.1;
 

@@ -59,10 +59,15 @@ Quality quality(const Demonstration& document) {
       result.mean_jerk_m_s3[arm] += point.jerk_m_s3 / static_cast<double>(points.size());
     }
   }
-  const std::vector<bool> flags = moving(document, kIdleSpeed_m_s);
-  const auto idle = std::count(flags.begin(), flags.end(), false);
-  result.idle_share = static_cast<double>(idle) / static_cast<double>(flags.size());
+  result.idle_share = idle_share(document);
   return result;
+}
+
+double idle_share(const Demonstration& document) {
+  const std::vector<bool> flags = moving(document, kIdleSpeed_m_s);
+  if (flags.empty()) return 0.0;
+  const auto idle = std::count(flags.begin(), flags.end(), false);
+  return static_cast<double>(idle) / static_cast<double>(flags.size());
 }
 
 std::vector<IdleSpan> idle_spans(const Demonstration& document, const IdleOptions& options) {

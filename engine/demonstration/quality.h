@@ -27,6 +27,8 @@ struct Quality {
   double idle_share = 0.0;                 ///< Of the duration in which neither tool moves nor opens or closes.
 };
 Quality quality(const Demonstration& document);
+/// `Quality::idle_share` alone.
+double idle_share(const Demonstration& document);
 
 struct IdleOptions {
   double speed_m_s = kIdleSpeed_m_s;

@@ -176,6 +176,9 @@ class TableReader {
 }  // namespace
 
 Result<Imported> from_table(const NumberTable& table, const ColumnMap& map) {
+  if (map.arms[0].empty() && map.arms[1].empty()) {
+    return fail(ErrorCode::kInvalidArgument, "the map says of neither tool which columns it is in");
+  }
   return TableReader(table, map).read();
 }
 

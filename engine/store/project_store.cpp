@@ -336,6 +336,16 @@ Result<std::optional<std::string>> ProjectStore::setting(const std::string& key)
   return value;
 }
 
+Result<std::map<std::string, std::string>> ProjectStore::settings_under(const std::string& prefix) const {
+  std::map<std::string, std::string> found;
+  TROCAR_RETURN_IF_ERROR(impl_->database.query("SELECT key, value FROM settings WHERE substr(key, 1, length(?1)) = ?1",
+                                               {std::string_view(prefix)}, [&](const Row& row) {
+                                                 found[std::string(row.text(0)).substr(prefix.size())] = row.text(1);
+                                                 return Status();
+                                               }));
+  return found;
+}
+
 std::int64_t ProjectStore::size_bytes() const {
   std::uintmax_t total = 0;
   for (const fs::path& part : {path(), log_of(path())}) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -110,6 +111,8 @@ class ProjectStore {
 
   Status set_setting(const std::string& key, const std::string& value);
   Result<std::optional<std::string>> setting(const std::string& key) const;
+  /// All whose keys begin with `prefix`, by what follows it.
+  Result<std::map<std::string, std::string>> settings_under(const std::string& prefix) const;
 
   /// Runs `work` as one transaction; if it returns an error, nothing of it stays.
   Status transaction(const std::function<Status()>& work);

@@ -20,15 +20,25 @@ control::ToolCommand ArmDrive::advance(const HandSample& hand, Tick now) {
   }
   control::ToolCommand wish;
   wish.X_WT = mapping_.follow(hand.X_DH, hand.clutch_pedal, now);
-  wish.jaw_rad = std::clamp(hand.grip_rad, model_.jaw.low, model_.jaw.high);
-  control::ToolCommand next = limiter_.next(wish).command;
-  if (!kinematics::inverse(model_, next.X_WT)) {
-    ++unreachable_;
-    next = {held.X_WT, next.jaw_rad};
-    limiter_.restart(next);
-    mapping_.take_over(hand.X_DH, held.X_WT);
-  }
+  wish.jaw_rad = hand.grip_rad;
+  const control::ToolCommand next = approach(wish);
+  if (!refusal_.empty()) mapping_.take_over(hand.X_DH, held.X_WT);
   return next;
+}
+
+control::ToolCommand ArmDrive::approach(const control::ToolCommand& wish) {
+  const control::ToolCommand held = limiter_.setpoint();
+  const control::LimitedCommand limited =
+      limiter_.next({wish.X_WT, std::clamp(wish.jaw_rad, model_.jaw.low, model_.jaw.high)});
+  limits_ = limited.report;
+  refusal_.clear();
+  const Result<kinematics::Joints> joints = kinematics::inverse(model_, limited.command.X_WT);
+  if (joints) return limited.command;
+  ++unreachable_;
+  refusal_ = joints.error().text();
+  const control::ToolCommand staying{held.X_WT, limited.command.jaw_rad};
+  limiter_.restart(staying);
+  return staying;
 }
 
 control::ToolCommand between(const control::ToolCommand& from, const control::ToolCommand& to, int sub, int count) {

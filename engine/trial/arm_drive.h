@@ -1,6 +1,8 @@
 /// One arm's way from the operator's hand to the setpoint: mapping, clutch, limits, reach.
 #pragma once
 
+#include <string>
+
 #include "engine/control/clutch.h"
 #include "engine/control/setpoint_limiter.h"
 #include "engine/kinematics/psm.h"
@@ -17,9 +19,15 @@ class ArmDrive {
   /// The setpoint of the next sample. Where the wish is out of the arm's reach the tool holds, and the hand is engaged
   /// anew there, so that moving back does not jump.
   control::ToolCommand advance(const HandSample& hand, Tick now);
+  /// The same for who wishes for a place of the tool instead of moving a hand; out of reach the tool holds.
+  control::ToolCommand approach(const control::ToolCommand& wish);
 
   const control::ToolCommand& setpoint() const { return limiter_.setpoint(); }
   const control::ClutchedMapping& mapping() const { return mapping_; }
+  /// Which limits the last sample hit.
+  const control::LimitReport& limits() const { return limits_; }
+  /// Why the arm could not reach the last wish; "" if it could.
+  const std::string& refusal() const { return refusal_; }
   /// Samples at which a limit was hit.
   std::int64_t limit_hits() const { return limiter_.hits(); }
   /// Samples at which the arm could not reach the wish.
@@ -29,6 +37,8 @@ class ArmDrive {
   kinematics::PsmModel model_;
   control::ClutchedMapping mapping_;
   control::SetpointLimiter limiter_;
+  control::LimitReport limits_;
+  std::string refusal_;
   bool engaged_ = false;
   std::int64_t unreachable_ = 0;
 };

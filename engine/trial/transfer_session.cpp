@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/core/hash.h"
 #include "engine/trial/arm_drive.h"
 #include "engine/trial/sampling.h"
 #include "engine/trial/scripted_assistant.h"
@@ -22,18 +21,6 @@ using kinematics::ArmSide;
 
 constexpr Tick kTail{1000};  ///< Recorded after everything is done.
 
-std::string hash_of(const simulation::WorldOptions& options) {
-  Hasher hasher;
-  hasher.value(options.seed).value(options.jaw_friction).value(options.scene_friction);
-  hasher.value(options.grip_torque_nm).value(options.ticks_per_second);
-  for (int i = 0; i < peg_board::kBlockCount; ++i) {
-    for (const Eigen::Vector3d& foot : {peg_board::start_peg(i), peg_board::goal_peg(i)}) {
-      hasher.value(foot.x()).value(foot.y()).value(foot.z());
-    }
-  }
-  return to_hex(hasher.digest());
-}
-
 demonstration::Provenance provenance_of(const TransferOptions& options, const simulation::WorldOptions& world) {
   demonstration::Provenance provenance;
   provenance.operator_kind = "scripted";
@@ -42,18 +29,13 @@ demonstration::Provenance provenance_of(const TransferOptions& options, const si
   provenance.seed = options.seed;
   provenance.block = options.block;
   provenance.goal = options.goal;
-  provenance.scene_hash = hash_of(world);
-  provenance.software = "trocar 0.1.0";
+  provenance.scene_hash = scene_hash(world);
+  provenance.software = kSoftware;
   return provenance;
 }
 
 Assignment assignment_of(const TransferOptions& options, Skill skill) {
   return {options.block, options.goal, parameters(skill), std::string(to_string(skill)), options.aim_jitter_m};
-}
-
-control::ToolCommand setpoint_of(const simulation::World& world, ArmSide side) {
-  const simulation::ArmCommand& setpoint = world.state().arm(side).setpoint;
-  return {setpoint.X_WT, setpoint.jaw_rad};
 }
 
 simulation::WorldOptions world_options(const TransferOptions& options) {
@@ -73,8 +55,8 @@ struct TransferSession::Impl {
         task(options.block, options.goal),
         user(assignment_of(options, options.skill), random.child(1)),
         assistant(assignment_of(options, Skill::kExpert), random.child(2)),
-        drives{ArmDrive(ArmSide::kLeft, setpoint_of(world, ArmSide::kLeft)),
-               ArmDrive(ArmSide::kRight, setpoint_of(world, ArmSide::kRight))},
+        drives{ArmDrive(ArmSide::kLeft, setpoint_of(world.state(), ArmSide::kLeft)),
+               ArmDrive(ArmSide::kRight, setpoint_of(world.state(), ArmSide::kRight))},
         from{drives[0].setpoint(), drives[1].setpoint()},
         to(from) {
     task.update(world.state());
@@ -134,6 +116,7 @@ struct TransferSession::Impl {
   simulation::World world;
   demonstration::Provenance provenance;
   std::string initial_world;
+  bool initial_world_taken = false;
   Task task;
   ScriptedUser user;
   ScriptedAssistant assistant;
@@ -166,6 +149,10 @@ const demonstration::Provenance& TransferSession::provenance() const {
   return impl_->provenance;
 }
 const std::string& TransferSession::initial_world() const {
+  return impl_->initial_world;
+}
+std::optional<std::string> TransferSession::take_initial_world() {
+  if (std::exchange(impl_->initial_world_taken, true)) return std::nullopt;
   return impl_->initial_world;
 }
 

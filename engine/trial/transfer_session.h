@@ -11,6 +11,7 @@
 #include "engine/core/result.h"
 #include "engine/demonstration/recording.h"
 #include "engine/simulation/world.h"
+#include "engine/trial/live_session.h"
 #include "engine/trial/operator_input.h"
 
 namespace trocar::trial {
@@ -33,11 +34,11 @@ struct TransferOptions {
 /// World, both scripted operators (the user of the given skill, the assistant always an expert), the task's segments
 /// and the recorder, stepped together. Ends a moment after both have done their part, or after a drop, or at the time
 /// limit. Deterministic: the same options give the same samples and hashes. Threads: one at a time.
-class TransferSession {
+class TransferSession final : public LiveSession {
  public:
   /// Errors: kInvalidArgument for a block or goal outside of 0 … 5, or a time limit that is not positive and finite.
   static Result<TransferSession> create(const TransferOptions& options);
-  ~TransferSession();
+  ~TransferSession() override;
   TransferSession(TransferSession&&) noexcept;
   TransferSession& operator=(TransferSession&&) noexcept;
 
@@ -45,25 +46,23 @@ class TransferSession {
   const demonstration::Provenance& provenance() const;
   const std::string& initial_world() const;
 
-  /// One tick. No effect once `done()`.
-  void step();
-  bool done() const;
-  const simulation::WorldState& state() const;
-  demonstration::Segment segment() const;
-  demonstration::Authority authority() const;
-  demonstration::Outcome outcome() const;
-  bool placed() const;
+  void step() override;
+  bool done() const override;
+  const simulation::WorldState& state() const override;
+  demonstration::Segment segment() const override;
+  demonstration::Authority authority() const override;
+  demonstration::Outcome outcome() const override;
+  bool placed() const override;
 
   /// Times the user's jaws closed on air.
   int misses() const;
   /// Samples at which a limit of speed, acceleration, turn or jaw was hit, or a pose was out of reach.
   std::int64_t limit_hits() const;
 
-  /// What was recorded since the last call, in order. The setpoint of a sample is where the arm was told to be at the
-  /// sample's tick; from one sample to the next the commands are interpolated (`between`).
-  std::vector<demonstration::Sample> take_samples();
-  /// State hashes at the start, every second, and at the end.
-  std::vector<demonstration::HashMark> take_marks();
+  /// The first tick's.
+  std::optional<std::string> take_initial_world() override;
+  std::vector<demonstration::Sample> take_samples() override;
+  std::vector<demonstration::HashMark> take_marks() override;
 
  private:
   struct Impl;

@@ -14,6 +14,7 @@
 #include "engine/media/video_writer.h"
 #include "engine/plot/colour_map.h"
 #include "engine/scene/scene.h"
+#include "engine/trial/hand_session.h"
 #include "engine/trial/transfer_session.h"
 #include "engine/workbench/clipboard.h"
 #include "engine/workbench/comparing.h"
@@ -75,6 +76,25 @@ struct CompareWith {
   ComparisonSettings settings;
 };
 struct EndComparison {};
+
+/// Works out the rows of the library from now on, or no longer.
+struct ShowLibrary {
+  bool on = true;
+};
+/// Works out what an act (`act_from_words`) would do to each of several demonstrations. No words: no more of it.
+struct PlanBatch {
+  std::vector<DemonstrationId> demonstrations;
+  std::vector<std::string> words;
+};
+/// Gives a point of the history a name that stays: "" takes it away, none at all is "Checkpoint 3".
+struct NameCheckpoint {
+  std::int64_t node = 0;
+  std::optional<std::string> name;
+};
+/// Makes small pictures of what the edits of these points left, a few at a time; they are kept.
+struct SketchHistory {
+  std::vector<std::int64_t> nodes;
+};
 
 struct SetPlayhead {
   double t_s = 0.0;
@@ -151,6 +171,26 @@ struct RecordScripted {
 struct StopRecording {
   bool keep = true;
 };
+/// A person drives live: the simulator runs at once, recording begins after the countdown.
+struct RecordByHand {
+  trial::HandOptions options;     ///< World, lead-in and replay are found from what follows.
+  std::string name;               ///< Empty: "By hand 1" and so on.
+  DemonstrationId replayed;       ///< What replayed arms do, and what is replaced; none: neither.
+  bool gamepad = false;           ///< Drives too.
+  bool space_mouse = false;       ///< Likewise; a take without it is armed if it has gone.
+  std::optional<TimeSpan> punch;  ///< Of `replayed`: only that is recorded, and replaces it.
+};
+/// Looks which devices can drive; `WorkbenchState::space_mouse_missing` tells.
+struct FindDevices {};
+/// What the operator did since the last one, in order.
+struct HandInput {
+  std::vector<trial::HandEvent> events;
+};
+/// What becomes of a take by hand that has ended.
+enum class TakeVerdict : std::uint8_t { kKeep, kKeepAndNext, kAgain, kDiscard };
+struct JudgeTake {
+  TakeVerdict verdict = TakeVerdict::kKeep;
+};
 
 struct TrainModel {
   std::vector<DemonstrationId> demonstrations;
@@ -210,10 +250,11 @@ struct Report {
 };
 
 using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
-                             SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, SetPlayhead,
-                             Play, SetSelection, ShowEdges, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset,
-                             SetViewSize, SetField, SetRollouts, RecordScripted, StopRecording, TrainModel,
-                             VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, ReadImport,
-                             EndImport, MakeImport, ExportDemonstrations, CancelJob, Report>;
+                             SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary,
+                             PlanBatch, NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges,
+                             CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetField,
+                             SetRollouts, RecordScripted, StopRecording, RecordByHand, FindDevices, HandInput,
+                             JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo,
+                             ExportField, ReadImport, EndImport, MakeImport, ExportDemonstrations, CancelJob, Report>;
 
 }  // namespace trocar::workbench

@@ -31,10 +31,18 @@ std::string unused_name(const Project& project, const std::string& stem) {
   return name;
 }
 
+/// What adds takes its id from the journal's row, of which a batch has only one.
+bool fits_batch(const Edit& edit) {
+  return !std::holds_alternative<AddDemonstration>(edit) && !std::holds_alternative<CopyDemonstration>(edit) &&
+         !std::holds_alternative<SplitDemonstration>(edit) && !std::holds_alternative<AddModel>(edit) &&
+         !std::holds_alternative<Batch>(edit);
+}
+
 struct Application {
   const Project& project;
   std::int64_t new_id;
   const BlobSource& blobs;
+  std::int64_t first_entry = new_id;  ///< The id of what the edit adds to a stack.
 
   Result<Project> operator()(const AddDemonstration& edit) const {
     TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
@@ -75,8 +83,63 @@ struct Application {
   }
 
   Result<Project> operator()(const RemoveDemonstration& edit) const {
+    const auto found = project.demonstrations.find(edit.demonstration);
+    if (found == project.demonstrations.end()) return no_demonstration(edit.demonstration);
     Project edited = project;
-    if (edited.demonstrations.erase(edit.demonstration) == 0) return no_demonstration(edit.demonstration);
+    edited.trash[edit.demonstration] = found->second;
+    edited.demonstrations.erase(edit.demonstration);
+    return edited;
+  }
+
+  Result<Project> operator()(const RestoreDemonstration& edit) const {
+    const auto found = project.trash.find(edit.demonstration);
+    if (found == project.trash.end()) {
+      return fail(ErrorCode::kNotFound, fmt::format("the trash has no demonstration {}", edit.demonstration.value));
+    }
+    Project edited = project;
+    edited.demonstrations[edit.demonstration] = found->second;
+    edited.trash.erase(edit.demonstration);
+    return edited;
+  }
+
+  Result<Project> operator()(const MarkDemonstration& edit) const {
+    if (!project.demonstrations.contains(edit.demonstration)) return no_demonstration(edit.demonstration);
+    TROCAR_ASSIGN_OR_RETURN(Marks marks, changed(project.marks_of(edit.demonstration), edit.change));
+    Project edited = project;
+    if (marks == Marks{}) {
+      edited.marks.erase(edit.demonstration);
+    } else {
+      edited.marks[edit.demonstration] = std::make_shared<const Marks>(std::move(marks));
+    }
+    return edited;
+  }
+
+  Result<Project> operator()(const SaveFilter& edit) const {
+    TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
+    Project edited = project;
+    edited.filters[edit.name] = edit.query;
+    return edited;
+  }
+
+  Result<Project> operator()(const RemoveFilter& edit) const {
+    Project edited = project;
+    if (edited.filters.erase(edit.name) == 0) {
+      return fail(ErrorCode::kNotFound, fmt::format("the project has no filter named \"{}\"", edit.name));
+    }
+    return edited;
+  }
+
+  Result<Project> operator()(const Batch& edit) const {
+    Project edited = project;
+    for (std::size_t i = 0; i < edit.edits.size(); ++i) {
+      const Edit& each = edit.edits[i];
+      if (!fits_batch(each)) {
+        return fail(ErrorCode::kInvalidArgument, fmt::format("a batch cannot hold the edit {}", name_of(each)));
+      }
+      // An edit of a stack gets an id of its own; what it takes from the past was there before the whole batch.
+      const Application next{edited, new_id, blobs, entry_id(i)};
+      TROCAR_ASSIGN_OR_RETURN(edited, std::visit(next, each));
+    }
     return edited;
   }
 
@@ -91,7 +154,7 @@ struct Application {
     const auto found = project.demonstrations.find(edit.demonstration);
     if (found == project.demonstrations.end()) return no_demonstration(edit.demonstration);
     TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(edit.edit, project, blobs, new_id));
-    return with(edit.demonstration, demonstration::apply(*found->second, whole, new_id));
+    return with(edit.demonstration, demonstration::apply(*found->second, whole, first_entry));
   }
 
   /// Entries of one journal row get ids that no other row's have.
@@ -190,6 +253,19 @@ struct Description {
   }
   std::string operator()(const RemoveDemonstration& edit) const {
     return fmt::format("Remove {}", name(edit.demonstration));
+  }
+  std::string operator()(const RestoreDemonstration& edit) const {
+    const auto found = before.trash.find(edit.demonstration);
+    return found == before.trash.end() ? fmt::format("Restore demonstration {}", edit.demonstration.value)
+                                       : fmt::format("Restore {}", found->second->name);
+  }
+  std::string operator()(const MarkDemonstration& edit) const {
+    return fmt::format("Mark {}: {}", name(edit.demonstration), to_words(edit.change));
+  }
+  std::string operator()(const SaveFilter& edit) const { return fmt::format("Save filter {}", edit.name); }
+  std::string operator()(const RemoveFilter& edit) const { return fmt::format("Remove filter {}", edit.name); }
+  std::string operator()(const Batch& edit) const {
+    return edit.title.empty() ? fmt::format("{} edits at once", edit.edits.size()) : edit.title;
   }
   std::string operator()(const CopyDemonstration& edit) const {
     return edit.name.empty() ? fmt::format("Copy {}", name(edit.demonstration))

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "engine/demonstration/edits.h"
 #include "engine/workbench/project.h"
@@ -31,9 +32,22 @@ struct ImportDemonstrations {
   std::vector<Part> parts;
 };
 
+/// Into the project's trash, from which it can be restored.
 struct RemoveDemonstration {
   static constexpr std::string_view kName = "remove demonstration";
   DemonstrationId demonstration;
+};
+
+struct RestoreDemonstration {
+  static constexpr std::string_view kName = "restore demonstration";
+  DemonstrationId demonstration;
+};
+
+/// Flags, tags and the like.
+struct MarkDemonstration {
+  static constexpr std::string_view kName = "mark demonstration";
+  DemonstrationId demonstration;
+  MarkChange change;
 };
 
 struct EditDemonstration {
@@ -101,9 +115,30 @@ struct RemoveModel {
   ModelId model;
 };
 
+/// Keeps a query of the library under a name, in place of what had that name.
+struct SaveFilter {
+  static constexpr std::string_view kName = "save filter";
+  std::string name;
+  std::string query;
+};
+struct RemoveFilter {
+  static constexpr std::string_view kName = "remove filter";
+  std::string name;
+};
+
+struct Batch;
+
 using Edit = std::variant<AddDemonstration, ImportDemonstrations, RemoveDemonstration, EditDemonstration,
                           CopyDemonstration, SplitDemonstration, MoveStackEntry, EnableStackEntry, ReplaceStackEntry,
-                          NameStackEntry, RemoveStackEntry, AddModel, RemoveModel>;
+                          NameStackEntry, RemoveStackEntry, AddModel, RemoveModel, RestoreDemonstration,
+                          MarkDemonstration, SaveFilter, RemoveFilter, Batch>;
+
+/// Several edits as one step: all are made, or none. Those that add something have no place in it, nor another batch.
+struct Batch {
+  static constexpr std::string_view kName = "batch";
+  std::string title;  ///< For the history: "Trim idle of 12 demonstrations".
+  std::vector<Edit> edits;
+};
 
 /// Where `apply` finds what edits name by id and what never changes: blobs, and the past.
 class BlobSource {

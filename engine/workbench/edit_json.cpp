@@ -66,6 +66,27 @@ struct Printer {
     return object;
   }
   json operator()(const RemoveStackEntry& edit) const { return entry_of(edit); }
+  json operator()(const RestoreDemonstration& edit) const { return {{"demonstration", edit.demonstration.value}}; }
+  json operator()(const MarkDemonstration& edit) const {
+    json object{{"demonstration", edit.demonstration.value}};
+    const MarkChange& change = edit.change;
+    if (change.flag) object["flag"] = std::string(to_string(*change.flag));
+    if (change.verdict) object["verdict"] = std::string(to_string(*change.verdict));
+    if (change.rating) object["rating"] = *change.rating;
+    if (!change.add.empty()) object["add"] = change.add;
+    if (!change.remove.empty()) object["remove"] = change.remove;
+    if (change.note) object["note"] = *change.note;
+    return object;
+  }
+  json operator()(const SaveFilter& edit) const { return {{"name", edit.name}, {"query", edit.query}}; }
+  json operator()(const RemoveFilter& edit) const { return {{"name", edit.name}}; }
+  json operator()(const Batch& edit) const {
+    json list = json::array();
+    for (const Edit& each : edit.edits) {
+      list.push_back({{"name", std::string(name_of(each))}, {"parameters", std::visit(*this, each)}});
+    }
+    return {{"title", edit.title}, {"edits", std::move(list)}};
+  }
   json operator()(const AddModel& edit) const { return {{"object", edit.object}}; }
   json operator()(const RemoveModel& edit) const { return {{"model", edit.model.value}}; }
 };
@@ -175,15 +196,72 @@ Result<Edit> stack_edit(std::string_view name, const json& object) {
   return RemoveStackEntry{id, entry};
 }
 
-}  // namespace
-
-std::string to_json(const Edit& edit) {
-  return std::visit(Printer{}, edit).dump(-1, ' ', false, json::error_handler_t::replace);
+template <typename Value>
+Status read_word(const json& object, const char* key, Result<Value> (*from)(std::string_view),
+                 std::optional<Value>& value) {
+  if (!object.contains(key)) return {};
+  TROCAR_ASSIGN_OR_RETURN(const std::string word, text_at(object, key));
+  const Result<Value> read = from(word);
+  if (!read) return corrupt(read.error().text());
+  value = *read;
+  return {};
 }
 
-Result<Edit> edit_from_json(std::string_view name, std::string_view text) {
-  const json object = json::parse(text, nullptr, false);
-  if (!object.is_object()) return corrupt("the parameters of an edit must be a JSON object");
+Status read_tags(const json& object, const char* key, std::vector<std::string>& tags) {
+  const auto list = object.find(key);
+  if (list == object.end()) return {};
+  if (!list->is_array()) return corrupt(fmt::format("the parameter {} must be a list", key));
+  for (const json& each : *list) {
+    if (!each.is_string()) return corrupt(fmt::format("each of {} must be text", key));
+    tags.push_back(each.get<std::string>());
+  }
+  return {};
+}
+
+Result<Edit> mark_demonstration(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
+  MarkChange change;
+  TROCAR_RETURN_IF_ERROR(read_word(object, "flag", flag_from, change.flag));
+  TROCAR_RETURN_IF_ERROR(read_word(object, "verdict", verdict_from, change.verdict));
+  if (object.contains("rating")) {
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t rating, id_at(object, "rating"));
+    change.rating = static_cast<int>(std::clamp<std::int64_t>(rating, -1, 6));
+  }
+  TROCAR_RETURN_IF_ERROR(read_tags(object, "add", change.add));
+  TROCAR_RETURN_IF_ERROR(read_tags(object, "remove", change.remove));
+  if (object.contains("note")) {
+    TROCAR_ASSIGN_OR_RETURN(change.note, text_at(object, "note"));
+  }
+  return MarkDemonstration{DemonstrationId{id}, std::move(change)};
+}
+
+Result<Edit> save_filter(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(object, "name"));
+  TROCAR_ASSIGN_OR_RETURN(std::string query, text_at(object, "query"));
+  return SaveFilter{std::move(name), std::move(query)};
+}
+
+Result<Edit> edit_from(std::string_view name, const json& object);
+
+Result<Edit> batch(const json& object) {
+  Batch read;
+  TROCAR_ASSIGN_OR_RETURN(read.title, text_at(object, "title"));
+  const auto list = object.find("edits");
+  if (list == object.end() || !list->is_array()) return corrupt("the parameter edits must be there and be a list");
+  for (const json& each : *list) {
+    if (!each.is_object()) return corrupt("each of the edits must be a JSON object");
+    TROCAR_ASSIGN_OR_RETURN(const std::string name, text_at(each, "name"));
+    const auto parameters = each.find("parameters");
+    if (parameters == each.end() || !parameters->is_object()) return corrupt("the edit has no parameters");
+    // Refused here already, so that no file can make this go deep.
+    if (name == Batch::kName) return corrupt("a batch cannot hold a batch");
+    TROCAR_ASSIGN_OR_RETURN(Edit edit, edit_from(name, *parameters));
+    read.edits.push_back(std::move(edit));
+  }
+  return read;
+}
+
+Result<Edit> edit_from(std::string_view name, const json& object) {
   if (name == AddDemonstration::kName) return add_demonstration(object);
   if (name == ImportDemonstrations::kName) return import_demonstrations(object);
   if (name == EditDemonstration::kName) return edit_demonstration(object);
@@ -193,10 +271,18 @@ Result<Edit> edit_from_json(std::string_view name, std::string_view text) {
       name == NameStackEntry::kName || name == RemoveStackEntry::kName) {
     return stack_edit(name, object);
   }
-  if (name == RemoveDemonstration::kName) {
-    TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
-    return RemoveDemonstration{DemonstrationId{id}};
+  if (name == RemoveDemonstration::kName || name == RestoreDemonstration::kName) {
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t value, id_at(object, "demonstration"));
+    const DemonstrationId id{value};
+    return name == RemoveDemonstration::kName ? Edit(RemoveDemonstration{id}) : Edit(RestoreDemonstration{id});
   }
+  if (name == MarkDemonstration::kName) return mark_demonstration(object);
+  if (name == SaveFilter::kName) return save_filter(object);
+  if (name == RemoveFilter::kName) {
+    TROCAR_ASSIGN_OR_RETURN(std::string filter, text_at(object, "name"));
+    return RemoveFilter{std::move(filter)};
+  }
+  if (name == Batch::kName) return batch(object);
   if (name == AddModel::kName) {
     TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "object"));
     return AddModel{id};
@@ -206,6 +292,18 @@ Result<Edit> edit_from_json(std::string_view name, std::string_view text) {
     return RemoveModel{ModelId{id}};
   }
   return corrupt(fmt::format("no edit is named {}", name));
+}
+
+}  // namespace
+
+std::string to_json(const Edit& edit) {
+  return std::visit(Printer{}, edit).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+Result<Edit> edit_from_json(std::string_view name, std::string_view text) {
+  const json object = json::parse(text, nullptr, false);
+  if (!object.is_object()) return corrupt("the parameters of an edit must be a JSON object");
+  return edit_from(name, object);
 }
 
 }  // namespace trocar::workbench

@@ -5,57 +5,93 @@
 #include <utility>
 
 #include "engine/workbench/jobs/record_job.h"
+#include "engine/workbench/take_plan.h"
 
 namespace trocar::workbench {
 
 Result<std::unique_ptr<LiveRecording>> LiveRecording::start(ProjectFile& file, const RecordScripted& request) {
   TROCAR_ASSIGN_OR_RETURN(trial::TransferSession session, trial::TransferSession::create(request.options));
-  TROCAR_ASSIGN_OR_RETURN(RecordingWriter writer, file.begin_recording(session.provenance(), session.initial_world()));
   std::string name = request.name.empty() ? demonstration_name(*file.project(), request.options.skill) : request.name;
-  return std::unique_ptr<LiveRecording>(
-      new LiveRecording(file, std::move(name), std::move(session), std::move(writer), request.realtime));
+  TakeWriter writer(file, session.provenance(), std::move(name));
+  std::unique_ptr<LiveRecording> recording(new LiveRecording(
+      std::move(writer), std::make_unique<trial::TransferSession>(std::move(session)), request.realtime));
+  recording->verdict_ = true;
+  return recording;
 }
 
-LiveRecording::LiveRecording(ProjectFile& file, std::string name, trial::TransferSession session,
-                             RecordingWriter writer, bool realtime)
-    : file_(file), name_(std::move(name)), writer_(std::move(writer)), runner_(std::move(session), realtime) {}
+Result<std::unique_ptr<LiveRecording>> LiveRecording::start(ProjectFile& file, const RecordByHand& request) {
+  TROCAR_ASSIGN_OR_RETURN(TakePlan plan, plan_take(*file.project(), request));
+  TROCAR_ASSIGN_OR_RETURN(std::unique_ptr<trial::HandSession> session,
+                          trial::HandSession::create(std::move(plan.options)));
+  trial::HandSession& hand = *session;
+  TakeWriter writer(file, hand.provenance(), std::move(plan.name), plan.punch);
+  std::unique_ptr<LiveRecording> recording(new LiveRecording(std::move(writer), std::move(session), true));
+  recording->hand_ = &hand;
+  recording->take_ = TakeView{request, recording->writer_.name(), false, {}};
+  recording->take_->request.options.block = hand.options().block;
+  recording->take_->request.options.goal = hand.options().goal;
+  return recording;
+}
+
+LiveRecording::LiveRecording(TakeWriter writer, std::unique_ptr<trial::LiveSession> session, bool realtime)
+    : writer_(std::move(writer)), runner_(std::move(session), realtime) {}
+
+void LiveRecording::post(const HandInput& input) {
+  if (hand_ == nullptr) return;
+  for (const trial::HandEvent& event : input.events) hand_->post(event);
+}
 
 void LiveRecording::stop(bool keep) {
-  keep_ = keep;
+  verdict_ = keep;
   stopping_ = true;
+  // A person may end at any time: that is no abortion.
+  if (hand_ != nullptr && hand_->post(trial::EndTake{})) return;
   runner_.stop();
+}
+
+void LiveRecording::ask_for_verdict() {
+  const trial::SessionStatus& status = view().status;
+  take_->reviewing = true;
+  take_->summary = fmt::format("{:.1f} s, {} samples: {}{}", writer_.duration_s(), writer_.samples(),
+                               demonstration::to_string(last_->outcome), last_->placed ? ", block placed" : "");
+  for (const kinematics::ArmSide side : kinematics::kArmSides) {
+    const trial::ArmReport& arm = status.arms[kinematics::index_of(side)];
+    const char* name = side == kinematics::ArmSide::kLeft ? "left" : "right";
+    if (arm.refused_count > 0) {
+      take_->summary += fmt::format("; {} arm out of reach in {} samples", name, arm.refused_count);
+    }
+    if (arm.limited_count > 0) take_->summary += fmt::format("; {} arm at a limit in {}", name, arm.limited_count);
+  }
 }
 
 std::optional<LiveRecording::End> LiveRecording::poll() {
   runner_.update();
-  while (const std::optional<LiveBatch> batch = runner_.take()) {
-    if (const Status written = write(*batch); !written) {
+  while (!last_) {
+    std::optional<LiveBatch> batch = runner_.take();
+    if (!batch) break;
+    if (const Status written = writer_.write(batch->part); !written) {
       runner_.stop();
       return End{tl::unexpected(written.error()), {}};
     }
-    if (batch->last) return conclude(*batch);
+    if (batch->last) last_ = std::move(batch);
   }
+  if (!last_) return std::nullopt;
+  runner_.update();
+  if (verdict_ || !writer_.begun()) return conclude();
+  if (!take_->reviewing) ask_for_verdict();
   return std::nullopt;
 }
 
-Status LiveRecording::write(const LiveBatch& batch) {
-  for (const demonstration::Sample& sample : batch.samples) TROCAR_RETURN_IF_ERROR(writer_.add(sample));
-  for (const demonstration::HashMark& mark : batch.marks) TROCAR_RETURN_IF_ERROR(writer_.mark(mark));
-  return {};
-}
-
-LiveRecording::End LiveRecording::conclude(const LiveBatch& last) {
-  if (!keep_) {
+LiveRecording::End LiveRecording::conclude() {
+  if (!verdict_.value_or(true)) {
     // Left unfinished it would be recovered as if a crash had cut it off.
     if (Status gone = writer_.discard(); !gone) return {tl::unexpected(std::move(gone).error()), {}};
     return {fail(ErrorCode::kCancelled, "the recording was discarded"), {}};
   }
-  const Result<demonstration::RecordingId> recording = writer_.finish(last.outcome, last.placed);
-  if (!recording) return {tl::unexpected(recording.error()), {}};
-  const Result<std::int64_t> id = file_.commit(AddDemonstration{*recording, name_});
-  if (!id) return {tl::unexpected(id.error()), {}};
-  return {DemonstrationId{*id}, fmt::format("Recorded \"{}\": {}{}", name_, demonstration::to_string(last.outcome),
-                                            last.placed ? ", block placed" : "")};
+  const Result<DemonstrationId> id = writer_.finish(last_->outcome, last_->placed);
+  if (!id) return {id, {}};
+  return {id, fmt::format("Recorded \"{}\": {}{}", writer_.name(), demonstration::to_string(last_->outcome),
+                          last_->placed ? ", block placed" : "")};
 }
 
 }  // namespace trocar::workbench

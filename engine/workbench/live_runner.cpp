@@ -1,5 +1,6 @@
 #include "engine/workbench/live_runner.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -11,9 +12,9 @@ using std::chrono::duration;
 
 }  // namespace
 
-LiveRunner::LiveRunner(trial::TransferSession session, bool realtime)
+LiveRunner::LiveRunner(std::unique_ptr<trial::LiveSession> session, bool realtime)
     : session_(std::move(session)), realtime_(realtime) {
-  show(0, 0.0);  // there is a world to look at before the first tick
+  show(0.0);  // there is a world to look at before the first tick
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -24,35 +25,59 @@ std::optional<LiveBatch> LiveRunner::take() {
 }
 
 void LiveRunner::run(const std::stop_token& stop) {
-  constexpr int kTicksPerBatch = 50;  // 20 batches a second
+  // A hand feels what it does after a hundredth of a second at the latest.
+  const int steps_per_batch = realtime_ ? 10 : 50;
+  constexpr double kMostBehind_s = 0.25;
   const SteadyClock::time_point begin = SteadyClock::now();
-  std::int64_t samples = 0;
+  const auto wall_now_s = [begin] { return duration<double>(SteadyClock::now() - begin).count(); };
+  double due_s = 0.0;
   while (!stop.stop_requested()) {
     const bool stopping = stopping_.load(std::memory_order_relaxed);
-    for (int tick = 0; tick < kTicksPerBatch && !stopping && !session_.done(); ++tick) session_.step();
-    LiveBatch batch{session_.take_samples(), session_.take_marks(), stopping || session_.done(), session_.outcome(),
-                    session_.placed()};
-    if (stopping && !session_.done()) batch.outcome = demonstration::Outcome::kAborted;
-    samples += static_cast<std::int64_t>(batch.samples.size());
-
-    const double simulated_s = session_.state().tick.seconds();
-    const double wall_s = duration<double>(SteadyClock::now() - begin).count();
-    show(samples, wall_s);
+    for (int step = 0; step < steps_per_batch && !stopping && !session_->done(); ++step) session_->step();
+    LiveBatch batch{take_part(*session_), stopping || session_->done(), session_->outcome(), session_->placed()};
+    if (stopping && !session_->done()) batch.outcome = demonstration::Outcome::kAborted;
+    count(batch.part);
+    show(wall_now_s());
 
     const bool last = batch.last;
     if (!hand_over(std::move(batch), stop) || last) return;
-    if (realtime_ && simulated_s > wall_s) std::this_thread::sleep_for(duration<double>(simulated_s - wall_s));
+    due_s = std::max(due_s + steps_per_batch * 1e-3, wall_now_s() - kMostBehind_s);
+    const double ahead_s = due_s - wall_now_s();
+    if (realtime_ && ahead_s > 0.0) std::this_thread::sleep_for(duration<double>(ahead_s));
   }
 }
 
-void LiveRunner::show(std::int64_t samples, double wall_s) {
-  const double simulated_s = session_.state().tick.seconds();
-  views_.back() = {session_.state(),
-                   session_.segment(),
-                   session_.authority(),
-                   simulated_s,
-                   samples,
-                   wall_s > 0.0 ? simulated_s / wall_s : 0.0};
+void LiveRunner::count(const TakePart& part) {
+  if (part.samples.empty()) return;
+  if (samples_ == 0) first_tick_ = part.samples.front().tick;
+  last_tick_ = part.samples.back().tick;
+  samples_ += static_cast<std::int64_t>(part.samples.size());
+}
+
+void LiveRunner::measure_rate(double wall_s) {
+  constexpr double kWindow_s = 0.5;
+  const bool recording = session_->status().phase == trial::Phase::kRecording && samples_ > 0;
+  const double passed_s = wall_s - rate_from_s_;
+  if (recording && passed_s < kWindow_s) return;
+  // What was no recording throughout tells nothing.
+  if (recording && rate_from_samples_ > 0) {
+    rate_hz_ = static_cast<double>(samples_ - rate_from_samples_) / passed_s;
+  }
+  rate_from_s_ = wall_s;
+  rate_from_samples_ = recording ? samples_ : 0;
+}
+
+void LiveRunner::show(double wall_s) {
+  measure_rate(wall_s);
+  const double simulated_s = session_->state().tick.seconds();
+  views_.back() = {session_->state(),
+                   session_->segment(),
+                   session_->authority(),
+                   Tick{last_tick_ - first_tick_}.seconds(),
+                   samples_,
+                   wall_s > 0.0 ? simulated_s / wall_s : 0.0,
+                   rate_hz_,
+                   session_->status()};
   views_.publish();
 }
 

@@ -1,4 +1,4 @@
-/// Owns the simulation thread: steps a transfer in real time (or as fast as it goes) and hands out what it recorded.
+/// Owns the simulation thread: steps a session in real time (or as fast as it goes) and hands out what it recorded.
 #pragma once
 
 #include <atomic>
@@ -11,24 +11,26 @@
 #include "engine/core/triple_buffer.h"
 #include "engine/demonstration/recording.h"
 #include "engine/simulation/world_state.h"
-#include "engine/trial/transfer_session.h"
+#include "engine/trial/live_session.h"
+#include "engine/workbench/take_writer.h"
 
 namespace trocar::workbench {
 
-/// A transfer that is being recorded now.
+/// A session that runs now.
 struct LiveView {
   simulation::WorldState world;
   demonstration::Segment segment = demonstration::Segment::kA;
   demonstration::Authority authority = demonstration::Authority::kOperator;
-  double elapsed_s = 0.0;  ///< Simulated.
+  double elapsed_s = 0.0;  ///< Simulated, since recording began.
   std::int64_t samples = 0;
   double realtime_factor = 0.0;  ///< Simulated seconds for each second of wall time, over the whole run.
+  double rate_hz = 0.0;          ///< Samples for each second of wall time, lately; 0 until known.
+  trial::SessionStatus status;
 };
 
 /// What the thread recorded since the last batch, and how it ended if it has.
 struct LiveBatch {
-  std::vector<demonstration::Sample> samples;
-  std::vector<demonstration::HashMark> marks;
+  TakePart part;
   bool last = false;
   demonstration::Outcome outcome = demonstration::Outcome::kUnfinished;
   bool placed = false;
@@ -37,8 +39,9 @@ struct LiveBatch {
 /// Threads: everything here in the main thread.
 class LiveRunner {
  public:
-  /// Starts to step at once. `realtime` false: as fast as it goes.
-  LiveRunner(trial::TransferSession session, bool realtime);
+  /// Starts to step at once. `realtime` false: as fast as it goes. A machine that falls behind real time by more than a
+  /// quarter of a second is not made to catch up.
+  LiveRunner(std::unique_ptr<trial::LiveSession> session, bool realtime);
   LiveRunner(const LiveRunner&) = delete;
   LiveRunner& operator=(const LiveRunner&) = delete;
   ~LiveRunner();
@@ -52,11 +55,19 @@ class LiveRunner {
 
  private:
   void run(const std::stop_token& stop);
-  void show(std::int64_t samples, double wall_s);
+  void show(double wall_s);
+  void count(const TakePart& part);
+  void measure_rate(double wall_s);
   bool hand_over(LiveBatch batch, const std::stop_token& stop);
 
-  trial::TransferSession session_;
+  std::unique_ptr<trial::LiveSession> session_;
   bool realtime_;
+  std::int64_t samples_ = 0;
+  std::int64_t first_tick_ = 0;
+  std::int64_t last_tick_ = 0;
+  double rate_hz_ = 0.0;
+  double rate_from_s_ = 0.0;  ///< Wall time; likewise the samples then.
+  std::int64_t rate_from_samples_ = 0;
   std::atomic<bool> stopping_{false};
   SpscQueue<LiveBatch> batches_{256};
   TripleBuffer<LiveView> views_;

@@ -23,6 +23,12 @@ bool Project::stale(const ModelEntry& model) const {
   return false;
 }
 
+const Marks& Project::marks_of(DemonstrationId id) const {
+  static const Marks kNothing;
+  const auto found = marks.find(id);
+  return found == marks.end() ? kNothing : *found->second;
+}
+
 std::uint64_t Project::hash() const {
   Hasher hasher;
   hasher.value(demonstrations.size());
@@ -31,6 +37,13 @@ std::uint64_t Project::hash() const {
   for (const auto& [id, entry] : models) {
     hasher.value(id.value).text(entry->name).value(entry->segment).value(hash_of(*entry));
   }
+  // Only what there is, so that a project in which nobody said anything has the hash that it always had.
+  for (const auto& [id, document] : trash) hasher.text("trash").value(id.value).value(document->hash());
+  for (const auto& [id, said] : marks) {
+    hasher.text("marks").value(id.value).value(said->flag).value(said->verdict).value(said->rating).text(said->note);
+    for (const std::string& tag : said->tags) hasher.text(tag);
+  }
+  for (const auto& [name, query] : filters) hasher.text("filter").text(name).text(query);
   return hasher.digest();
 }
 

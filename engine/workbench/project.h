@@ -9,6 +9,7 @@
 #include "engine/core/id.h"
 #include "engine/demonstration/demonstration.h"
 #include "engine/learning/model.h"
+#include "engine/workbench/marks.h"
 
 namespace trocar::workbench {
 
@@ -30,7 +31,14 @@ struct ModelEntry {
 struct Project {
   std::map<DemonstrationId, std::shared_ptr<const demonstration::Demonstration>> demonstrations;
   std::map<ModelId, std::shared_ptr<const ModelEntry>> models;
+  /// What was deleted and can be restored.
+  std::map<DemonstrationId, std::shared_ptr<const demonstration::Demonstration>> trash;
+  /// Of those that something was said of, in the trash too; never null.
+  std::map<DemonstrationId, std::shared_ptr<const Marks>> marks;
+  std::map<std::string, std::string> filters;  ///< Saved queries of the library by name.
 
+  /// Without any marks for one that nothing was said of.
+  const Marks& marks_of(DemonstrationId id) const;
   /// True if a demonstration of the model has been edited or removed since training.
   bool stale(const ModelEntry& model) const;
   std::uint64_t hash() const;

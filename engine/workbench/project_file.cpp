@@ -2,29 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <functional>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
-#include "engine/store/project_store.h"
-#include "engine/workbench/blob_cache.h"
 #include "engine/workbench/model_codec.h"
 #include "engine/workbench/policy_bridge.h"
+#include "engine/workbench/project_file_impl.h"
 #include "engine/workbench/recovery.h"
 
 namespace trocar::workbench {
 namespace {
 
-using ProjectPointer = std::shared_ptr<const Project>;
-
 /// The document of every 64th node of a branch stays in memory: an undo applies at most 63 edits.
 constexpr int kKeyframeDistance = 64;
-
-struct JournalEntry {
-  std::string name;
-  std::string parameters;
-};
 
 /// For the history; a model has its name only after the edit that adds it.
 std::string said(const Edit& edit, const Project& before, const Project& after, std::int64_t id) {
@@ -34,39 +24,6 @@ std::string said(const Edit& edit, const Project& before, const Project& after, 
 }
 
 }  // namespace
-
-struct ProjectFile::Impl {
-  Impl(store::ProjectStore opened, std::shared_ptr<const Clock> wall)
-      : store(std::move(opened)), clock(std::move(wall)) {
-    blobs.find_past_with([this](std::int64_t node) { return past(node); });
-  }
-
-  store::ProjectStore store;
-  std::shared_ptr<const Clock> clock;
-  BlobCache blobs{store};
-  HistoryTree tree;
-  std::unordered_map<std::int64_t, JournalEntry> entries;
-  std::unordered_map<std::int64_t, ProjectPointer> keyframes{{0, std::make_shared<const Project>()}};
-  std::int64_t head = 0;
-  ProjectPointer project = keyframes.at(0);
-  std::size_t recovered = 0;
-  bool behind = false;  ///< Another program has changed the store, and it has not been taken in yet.
-
-  Status take_rows(std::vector<store::JournalRow> rows);
-  Status take_redo();
-  Status follow_head();
-  Status catch_up();
-  Result<ProjectPointer> step(const ProjectPointer& before, std::int64_t node) const;
-  Result<ProjectPointer> document_at(std::int64_t node);
-  Result<ProjectPointer> past(std::int64_t node);
-  void keep(std::int64_t node, const ProjectPointer& document);
-  Status load();
-  std::vector<store::RedoRow> redo_back_from(std::int64_t node) const;
-  Status move(const std::function<Result<std::int64_t>()>& where);
-  Result<std::int64_t> commit(const std::function<Result<Edit>()>& prepare);
-  Result<std::vector<store::RecordingRow>> cut_off() const;
-  void recover(const store::RecordingRow& row, Diagnostics& diagnostics);
-};
 
 Status ProjectFile::Impl::take_rows(std::vector<store::JournalRow> rows) {
   for (store::JournalRow& row : rows) {
@@ -102,6 +59,7 @@ Status ProjectFile::Impl::load() {
     TROCAR_ASSIGN_OR_RETURN(auto rows, store.journal());
     TROCAR_RETURN_IF_ERROR(take_rows(std::move(rows)));
     TROCAR_RETURN_IF_ERROR(take_redo());
+    TROCAR_RETURN_IF_ERROR(take_facts());
     return follow_head();
   });
 }
@@ -114,6 +72,7 @@ Status ProjectFile::Impl::catch_up() {
   TROCAR_ASSIGN_OR_RETURN(auto rows, store.journal_after(tree.newest()));
   TROCAR_RETURN_IF_ERROR(take_rows(std::move(rows)));
   TROCAR_RETURN_IF_ERROR(take_redo());
+  TROCAR_RETURN_IF_ERROR(take_facts());
   TROCAR_RETURN_IF_ERROR(follow_head());
   behind = false;
   return {};

@@ -14,6 +14,7 @@
 #include "engine/core/result.h"
 #include "engine/demonstration/recording.h"
 #include "engine/workbench/edit.h"
+#include "engine/workbench/facts.h"
 #include "engine/workbench/history_tree.h"
 #include "engine/workbench/project.h"
 #include "engine/workbench/recording_writer.h"
@@ -72,6 +73,16 @@ class ProjectFile {
   Status go_to(std::int64_t node);
   std::int64_t head() const;
   const std::vector<HistoryNode>& history() const;
+  /// The demonstration that a node's edit is about, as that edit left it: null if it is about none, or took it away.
+  /// Quickest for neighbours, one after the other. Errors: kNotFound if there is no such node.
+  Result<std::shared_ptr<const demonstration::Demonstration>> subject_at(std::int64_t node) const;
+
+  /// Names a point of the history; an empty name takes the name away. Errors: kNotFound; those of `check_name`.
+  Status name_checkpoint(std::int64_t node, const std::string& name);
+  const Checkpoints& checkpoints() const;
+  /// What a replay of a recording found, in place of what was known.
+  Status keep_replay(demonstration::RecordingId recording, const ReplayFound& found);
+  const Replays& replays() const;
 
   /// The writer must not outlive this object, which may be moved.
   Result<RecordingWriter> begin_recording(const demonstration::Provenance& provenance,

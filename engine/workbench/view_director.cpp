@@ -143,6 +143,7 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) {
   const auto demonstration = selected(state);
   if (state.live) {
     request.pose = stage::pose_of(state.live->world);
+    if (state.take) request.options.highlighted_block = state.take->request.options.block;
   } else if (demonstration && !demonstration->gated().empty()) {
     request.pose = stage::pose_of(state.edges ? sample_anywhere(*demonstration, state.edges->begin_s)
                                               : demonstration->sample_at(state.playhead_s));

@@ -29,7 +29,17 @@ Workbench::Impl::Impl(Options options_in)
         auto maker = std::make_shared<CurveMaker>();
         return [maker](const CurvesRequest& request) { return maker->make(request); };
       }),
-      comparison([] { return comparison_of; }) {
+      comparison([] { return comparison_of; }),
+      library([] {
+        auto maker = std::make_shared<LibraryMaker>();
+        return [maker](const LibraryRequest& request) { return maker->make(request, kLibraryPiece_samples); };
+      }),
+      batch([] {
+        return [](const BatchRequest& request) {
+          Progress progress;
+          return plan_batch(request, progress);
+        };
+      }) {
   if (!options.clock) options.clock = std::make_shared<SystemClock>();
   if (options.picture) view.emplace();
   last_poll_s = options.clock->now_s();
@@ -78,6 +88,9 @@ void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
   file = std::move(opened);
   state.clipboard.reset();
   state.selection.reset();
+  state.history.clear();
+  state.sketches.clear();
+  sketches_wanted.clear();
   state.load = opening.busy() ? LoadState::kLoading : LoadState::kReady;
   state.load_error.clear();
   state.path = file->path();
@@ -87,7 +100,11 @@ void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
 void Workbench::Impl::refresh_document() {
   dirty = true;
   state.project = file->project();
-  state.history = file->history();
+  // It only ever grows.
+  const auto& nodes = file->history();
+  state.history.insert(state.history.end(), nodes.begin() + std::ssize(state.history), nodes.end());
+  state.checkpoints = file->checkpoints();
+  state.replays = file->replays();
   state.head = file->head();
   state.undoable = file->undoable();
   state.redoable = file->redoable();
@@ -132,25 +149,6 @@ std::string Workbench::Impl::description_of(std::int64_t node) const {
   return found == nodes.end() ? std::string() : found->description;
 }
 
-void Workbench::Impl::poll_recording() {
-  if (!recording) return;
-  const std::optional<LiveRecording::End> end = recording->poll();
-  state.live = recording->view();
-  dirty = true;
-  if (!end) return;
-  recording.reset();
-  state.live.reset();
-  if (end->demonstration) {
-    log(Severity::kInfo, end->message);
-    state.demonstration = *end->demonstration;
-    state.playhead_s = 0.0;
-  } else {
-    const bool discarded = end->demonstration.error().code() == ErrorCode::kCancelled;
-    log(discarded ? Severity::kInfo : Severity::kError, end->demonstration.error().text());
-  }
-  refresh_document();
-}
-
 void Workbench::Impl::poll_jobs() {
   for (JobRunner* runner : {&opening, &reading, &jobs}) {
     for (const JobView& ended : runner->poll()) {
@@ -188,8 +186,8 @@ bool Workbench::Impl::poll() {
   advance_playhead(elapsed_s);
   poll_recording();
   poll_jobs();
-  poll_import();
   retry_writes();
+  poll_import();
   if (insight.update()) {
     state.insight = insight.answer();
     dirty = true;
@@ -203,6 +201,9 @@ bool Workbench::Impl::poll() {
   follow_preview_review();
   follow_curves();
   follow_comparison();
+  follow_library();
+  follow_batch();
+  sketch_history();
   if (view && view->poll(state, now_s)) dirty = true;
   return std::exchange(dirty, false);
 }
@@ -221,9 +222,11 @@ bool Workbench::poll() {
 
 bool Workbench::busy() const {
   return impl_->jobs.busy() || !impl_->waiting_writes.empty() || impl_->opening.busy() || impl_->reading.busy() ||
-         impl_->recording || impl_->state.play_speed != 0.0 || impl_->insight.pending() || impl_->preview.pending() ||
-         impl_->review.pending() || impl_->preview_review.pending() || impl_->curves.pending() ||
-         impl_->comparison.pending() || (impl_->view && impl_->view->busy());
+         (impl_->recording && !impl_->recording->waits()) || impl_->state.play_speed != 0.0 ||
+         impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() ||
+         impl_->preview_review.pending() || impl_->curves.pending() || impl_->comparison.pending() ||
+         impl_->state.library_pending || impl_->state.batch_pending || !impl_->sketches_wanted.empty() ||
+         (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

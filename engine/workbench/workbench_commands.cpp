@@ -110,20 +110,6 @@ void Workbench::Impl::on(const SetRollouts& command) {
   if (other_starts) request_insight();
 }
 
-void Workbench::Impl::on(const RecordScripted& command) {
-  if (!project_open()) return;
-  if (recording) return log(Severity::kWarning, "A recording is running already");
-  auto started = LiveRecording::start(*file, command);
-  if (!started) return log(Severity::kError, started.error().text());
-  recording = std::move(*started);
-  state.play_speed = 0.0;
-  log(Severity::kInfo, "Recording");
-}
-
-void Workbench::Impl::on(const StopRecording& command) {
-  if (recording) recording->stop(command.keep);
-}
-
 void Workbench::Impl::on(const TrainModel& command) {
   if (!project_open()) return;
   const auto work = [this, command, owner = file, project = state.project](Progress& progress) -> Result<JobResult> {
@@ -140,11 +126,14 @@ void Workbench::Impl::on(const TrainModel& command) {
 void Workbench::Impl::on(const VerifyReplay& command) {
   const auto shown = demonstration(command.demonstration);
   if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", command.demonstration.value));
-  const auto work = [recorded = shown->recording](Progress& progress) -> Result<JobResult> {
+  const auto work = [this, owner = file, recorded = shown->recording](Progress& progress) -> Result<JobResult> {
     TROCAR_ASSIGN_OR_RETURN(const trial::ReplayResult replayed, trial::replay(*recorded, progress));
-    if (replayed.verified) return JobResult{"verified: every state hash is the same", {}};
-    return fail(ErrorCode::kCheckFailed,
-                fmt::format("the replay diverged at {:.2f} s", replayed.diverged_at_s.value_or(0.0)));
+    return JobResult{"verified: every state hash is the same", [this, owner, id = recorded->id, replayed]() -> Status {
+                       keep_replay(owner, id, found_of(replayed));
+                       if (replayed.verified) return {};
+                       return fail(ErrorCode::kCheckFailed, fmt::format("the replay diverged at {:.2f} s",
+                                                                        replayed.diverged_at_s.value_or(0.0)));
+                     }};
   };
   jobs.start("Replay " + shown->name, work);
 }

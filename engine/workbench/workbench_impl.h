@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "engine/device/space_mouse.h"
+#include "engine/trial/stick_hands.h"
 #include "engine/workbench/job_runner.h"
 #include "engine/workbench/latest_worker.h"
 #include "engine/workbench/live_recording.h"
@@ -33,6 +35,10 @@ struct Workbench::Impl {
   void on(const ShowCurves& command);
   void on(const CompareWith& command);
   void on(const EndComparison& command);
+  void on(const ShowLibrary& command);
+  void on(const PlanBatch& command);
+  void on(const NameCheckpoint& command);
+  void on(const SketchHistory& command);
   void on(const SetPlayhead& command);
   void on(const Play& command);
   void on(const SetSelection& command);
@@ -47,6 +53,10 @@ struct Workbench::Impl {
   void on(const SetRollouts& command);
   void on(const RecordScripted& command);
   void on(const StopRecording& command);
+  void on(const RecordByHand& command);
+  void on(const FindDevices& command);
+  void on(const HandInput& command);
+  void on(const JudgeTake& command);
   void on(const TrainModel& command);
   void on(const VerifyReplay& command);
   void on(const SimulateDemonstration& command);
@@ -85,6 +95,12 @@ struct Workbench::Impl {
   /// Ask for what the state has come to need, and take in what is ready.
   void follow_curves();
   void follow_comparison();
+  void follow_library();
+  void follow_batch();
+  /// What a replay found is kept with the project that it is of, even if another is open by now.
+  void keep_replay(const std::shared_ptr<ProjectFile>& owner, demonstration::RecordingId id, const ReplayFound& found);
+  /// Makes a few of the small pictures that are still missing.
+  void sketch_history();
   void advance_playhead(double elapsed_s);
   /// What is played again and again; none: playing ends at the gate.
   std::optional<TimeSpan> looped() const;
@@ -104,6 +120,8 @@ struct Workbench::Impl {
   /// Into the project that it was learned from, even if another is open by now.
   Status keep_model(const std::shared_ptr<ProjectFile>& owner, const std::shared_ptr<const ModelEntry>& entry);
   void poll_recording();
+  /// What the SpaceMouse does to the tools, if it drives.
+  void follow_space_mouse();
   bool poll();
   void poll_jobs();
   void poll_import();
@@ -113,6 +131,9 @@ struct Workbench::Impl {
   WorkbenchState state;
   std::shared_ptr<ProjectFile> file;  ///< Shared with jobs that will commit to it.
   std::unique_ptr<LiveRecording> recording;
+  std::optional<device::SpaceMouse> space_mouse;
+  trial::StickHands space_mouse_hand;
+  std::optional<RecordByHand> next_take;  ///< Armed when the verdict on this one has been carried out.
   std::optional<ViewDirector> view;
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
   LatestWorker<PreviewRequest, std::shared_ptr<const EditPreview>> preview;
@@ -127,6 +148,11 @@ struct Workbench::Impl {
   std::shared_ptr<const Project> compared_in;
   std::deque<std::function<bool()>> waiting_writes;
   double waiting_since_s = 0.0;  ///< The first of them.
+  LatestWorker<LibraryRequest, std::shared_ptr<const LibraryView>> library;
+  LibraryRequest library_wanted;
+  LatestWorker<BatchRequest, std::shared_ptr<const BatchPlan>> batch;
+  BatchRequest batch_wanted;
+  std::vector<std::int64_t> sketches_wanted;  ///< By falling id; those that are there already are gone.
   double last_poll_s = 0.0;
   bool dirty = false;
   JobRunner jobs;     // their threads end first

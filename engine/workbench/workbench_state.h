@@ -3,21 +3,26 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/core/image.h"
+#include "engine/workbench/batch.h"
 #include "engine/workbench/command.h"
 #include "engine/workbench/edit_preview.h"
 #include "engine/workbench/exporting.h"
 #include "engine/workbench/insight.h"
 #include "engine/workbench/job_view.h"
+#include "engine/workbench/library.h"
 #include "engine/workbench/live_runner.h"
+#include "engine/workbench/path_sketch.h"
 #include "engine/workbench/project.h"
 #include "engine/workbench/project_file.h"
 #include "engine/workbench/reviewing.h"
+#include "engine/workbench/take_view.h"
 
 namespace trocar::workbench {
 
@@ -42,6 +47,18 @@ struct WorkbenchState {
   std::int64_t head = 0;
   bool undoable = false;
   bool redoable = false;
+  Checkpoints checkpoints;
+  Replays replays;
+  /// What `SketchHistory` asked for so far, by node; null of a node whose edit left no demonstration to draw.
+  std::map<std::int64_t, std::shared_ptr<const PathSketch>> sketches;
+
+  /// While `ShowLibrary` is on: its rows, null until they are there; of an older version, or not all measured yet,
+  /// while `library_pending`.
+  std::shared_ptr<const LibraryView> library;
+  bool library_on = false;
+  bool library_pending = false;
+  std::shared_ptr<const BatchPlan> batch;  ///< What `PlanBatch` asked for; likewise.
+  bool batch_pending = false;
 
   DemonstrationId demonstration;  ///< Selected, or none.
   ModelId model;
@@ -84,6 +101,11 @@ struct WorkbenchState {
   std::shared_ptr<const ModelInsight> insight;  ///< Of the selected model; null until worked out.
   bool insight_pending = false;
   std::optional<LiveView> live;
+  std::optional<TakeView> take;  ///< With `live`, if a person drives.
+  /// As it was last armed; what `R` arms again.
+  RecordByHand last_take;
+  /// Why no SpaceMouse can drive; "" if one can. As `FindDevices` found it.
+  std::string space_mouse_missing = "nobody has looked for one yet";
 
   std::shared_ptr<const Image> picture;  ///< The newest 3-D view; null until the first.
   std::uint64_t picture_number = 0;      ///< Changes with each new picture.

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "engine/media/video_writer.h"
 #include "tests/support/scratch_folder.h"
@@ -277,4 +279,72 @@ TEST_CASE("curves and a comparison follow the demonstration, its preview and its
   CHECK_FALSE(bench.state().comparison->error.empty());
   bench.run(EndComparison{});
   CHECK(bench.state().comparison == nullptr);
+}
+
+namespace {
+
+/// Polls until it is so; fails when that takes too long.
+template <typename Condition>
+void poll_until(Bench& bench, Condition condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kPatience_s);
+  while (!condition()) {
+    REQUIRE(std::chrono::steady_clock::now() < end);
+    bench.workbench.poll();
+    std::this_thread::yield();
+  }
+}
+
+RecordByHand left_arm_by_hand() {
+  RecordByHand take;
+  take.options.sources = {trial::ArmSource::kHand, trial::ArmSource::kStill};
+  take.options.countdown_s = 0.0;
+  return take;
+}
+
+void record_until_verdict(Bench& bench) {
+  const auto& live = bench.state().live;
+  poll_until(bench, [&] { return live && live->status.phase == trial::Phase::kRecording; });
+  bench.workbench.post(HandInput{{trial::DriveTool{kinematics::ArmSide::kLeft, {0.0, 0.02, 0.0}, {0.0, 0.0, 0.0}}}});
+  poll_until(bench, [&] { return live->samples > 60; });
+  bench.workbench.post(HandInput{{trial::EndTake{}}});
+  poll_until(bench, [&] { return bench.state().take && bench.state().take->reviewing; });
+}
+
+}  // namespace
+
+TEST_CASE("a take by hand is driven live, waits for its verdict, is kept as a person's, and verifies") {
+  Bench bench;
+  bench.workbench.post(left_arm_by_hand());
+  record_until_verdict(bench);
+  CHECK_FALSE(bench.workbench.busy());
+  CHECK(bench.state().project->demonstrations.empty());
+  bench.workbench.post(JudgeTake{TakeVerdict::kKeep});
+  poll_until(bench, [&] { return !bench.state().take; });
+  REQUIRE(bench.state().project->demonstrations.size() == 1);
+  const auto shown = bench.state().project->demonstrations.begin()->second;
+  CHECK(bench.state().demonstration == shown->id);
+  CHECK(shown->name == "By hand 1");
+  CHECK(shown->recording->provenance.operator_kind == "person");
+  CHECK(shown->recording->provenance.device == "keyboard and mouse; right arm still");
+  const double moved_m = shown->samples.back().arms[0].setpoint_p[1] - shown->samples.front().arms[0].setpoint_p[1];
+  CHECK(moved_m > 0.001);
+  bench.run(VerifyReplay{shown->id});
+  CHECK(bench.state().jobs.front().state == JobState::kDone);
+}
+
+TEST_CASE("a take that is made again leaves nothing, keep and next goes on, and leaving the program keeps the last") {
+  Bench bench;
+  bench.workbench.post(left_arm_by_hand());
+  record_until_verdict(bench);
+  bench.workbench.post(JudgeTake{TakeVerdict::kAgain});
+  poll_until(bench, [&] { return bench.state().take && !bench.state().take->reviewing; });
+  CHECK(bench.state().project->demonstrations.empty());
+  record_until_verdict(bench);
+  bench.workbench.post(JudgeTake{TakeVerdict::kKeepAndNext});
+  poll_until(bench, [&] { return bench.state().take && !bench.state().take->reviewing; });
+  CHECK(bench.state().project->demonstrations.size() == 1);
+  CHECK(bench.state().take->request.options.seed == 2);
+  record_until_verdict(bench);
+  CHECK(bench.workbench.finish(kPatience_s));
+  CHECK(bench.state().project->demonstrations.size() == 2);
 }

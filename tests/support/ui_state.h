@@ -49,8 +49,9 @@ inline std::shared_ptr<const workbench::ModelEntry> made_model() {
   learning::TrainOptions options;
   options.method = learning::Method::kExact;
   Progress progress;
-  entry->model = std::make_shared<learning::Model>(
-      learning::train(spatial::Grid{}, {sample_demonstrations().front()}, options, progress).value());
+  auto model = learning::train(spatial::Grid{}, {sample_demonstrations().front()}, options, progress).value();
+  model.seconds = 0.012;  // Of another machine each time.
+  entry->model = std::make_shared<learning::Model>(std::move(model));
   entry->demonstrations = {{1}};
   return entry;
 }
@@ -94,6 +95,7 @@ inline workbench::WorkbenchState made_state() {
                    {2, 1, "add demonstration", "Record Novice 2", "2026-03-01T12:04:10Z"}};
   state.head = 2;
   state.undoable = true;
+  state.library = workbench::LibraryMaker().make({state.project, {}}, 1'000'000);
   return state;
 }
 
@@ -120,6 +122,7 @@ inline workbench::WorkbenchState made_state_with_model() {
   const auto entry = made_model();
   project->models[entry->id] = entry;
   state.project = project;
+  state.library = workbench::LibraryMaker().make({state.project, {}}, 1'000'000);
   state.model = entry->id;
   state.insight = std::make_shared<workbench::ModelInsight>(made_insight(entry));
   state.history.push_back({3, 2, "add model", "Train exact A", "2026-03-01T12:05:00Z"});

@@ -16,5 +16,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What is loaded by name, and so not found by dpkg-shlibdeps.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libosmesa6, fonts-inter, fonts-dejavu-core, fonts-font-awesome")
+# Loaded when a SpaceMouse is asked for.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libspnav0, spacenavd")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1")
 include(CPack)

@@ -29,7 +29,7 @@ target_compile_options(trocar_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow 
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 reports these inside Eigen and the standard library at -O2; clang-tidy covers our own code.
   target_compile_options(trocar_flags INTERFACE -Wno-maybe-uninitialized -Wno-null-dereference
-                         -Wno-array-bounds -Wno-stringop-overflow -Wno-psabi)
+                         -Wno-array-bounds -Wno-stringop-overflow -Wno-restrict -Wno-psabi)
 endif()
 if(CMAKE_UNITY_BUILD)
   # Several files are compiled as one, so g++ takes what is private to a file for part of a header.

@@ -78,13 +78,13 @@ Result<Item> Driver::ready(std::string_view path) {
 
 Status Driver::hover(std::string_view path) {
   TROCAR_ASSIGN_OR_RETURN(const Item found, bring_into_sight(path));
-  TROCAR_RETURN_IF_ERROR(move(found.rect.centre_x(), found.rect.centre_y()));
+  TROCAR_RETURN_IF_ERROR(move(found.press_x(), found.rect.centre_y()));
   return step_();
 }
 
 Status Driver::press(std::string_view path, int which, int times) {
   TROCAR_ASSIGN_OR_RETURN(const Item found, ready(path));
-  TROCAR_RETURN_IF_ERROR(move(found.rect.centre_x(), found.rect.centre_y()));
+  TROCAR_RETURN_IF_ERROR(move(found.press_x(), found.rect.centre_y()));
   for (int i = 0; i < times; ++i) {
     TROCAR_RETURN_IF_ERROR(button(which, true));
     TROCAR_RETURN_IF_ERROR(button(which, false));
@@ -100,7 +100,7 @@ Status Driver::drag(std::string_view path, float dx, float dy, int which, int fr
 
 Status Driver::hold(std::string_view path, float dx, float dy, int which, int frames_of_drag) {
   TROCAR_ASSIGN_OR_RETURN(const Item found, ready(path));
-  const float x = found.rect.centre_x();
+  const float x = found.press_x();
   const float y = found.rect.centre_y();
   TROCAR_RETURN_IF_ERROR(move(x, y));
   TROCAR_RETURN_IF_ERROR(button(which, true));

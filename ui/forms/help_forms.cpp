@@ -68,7 +68,7 @@ Requests ShortcutForm::draw_content(Ui& ui, const WorkbenchState&) {
   if (ImGui::BeginTable("columns", two ? 2 : 1, kFlags, {0.0F, 0.0F})) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    for (const std::string_view menu : {"File", "Edit", "Help"}) menu_keys(ui, menu);
+    for (const std::string_view menu : {"File", "Edit", "Modify", "Label", "Help"}) menu_keys(ui, menu);
     mouse_keys(ui, all_mouse_help());
     if (two) ImGui::TableNextColumn();
     for (const std::string_view menu : {"View", "Panels", "Layout", "Transport", "Select", "Tool"}) menu_keys(ui, menu);

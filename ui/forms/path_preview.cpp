@@ -10,7 +10,7 @@
 namespace trocar::ui {
 namespace {
 
-constexpr std::size_t kPoints = 1500;  // of each tool; more cannot be told apart
+constexpr std::size_t kShownPoints = 1500;  // of each tool; more cannot be told apart
 
 /// Of the board's metres in a rectangle of pixels, equal along both axes.
 struct Projection {
@@ -55,7 +55,7 @@ void PathPreview::take(const std::shared_ptr<const demonstration::Demonstration>
   for (auto& path : paths_) path.clear();
   if (!shown) return;
   const std::size_t count = shown->samples.size();
-  const std::size_t step = std::max<std::size_t>(count / kPoints, 1);
+  const std::size_t step = std::max<std::size_t>(count / kShownPoints, 1);
   for (std::size_t i = 0; i < count; i += step) {
     const demonstration::Sample sample = shown->samples[i];
     for (std::size_t arm = 0; arm < paths_.size(); ++arm) {

@@ -1,7 +1,7 @@
-/// What runs, what was said, and what was done: jobs, log and history.
+/// What runs and what was said: jobs and log.
 #pragma once
 
-#include <set>
+#include <cstddef>
 
 #include "ui/panel.h"
 
@@ -18,12 +18,6 @@ class LogPanel final : public Panel {
 
  private:
   std::size_t seen_ = 0;
-};
-
-/// The tree of edits, newest first; a click goes there.
-class HistoryPanel final : public Panel {
- public:
-  Requests draw(Ui& ui, const WorkbenchState& state) override;
 };
 
 }  // namespace trocar::ui

@@ -39,11 +39,6 @@ ImVec2 at(const Vector2f& p) {
   return {p.x(), p.y()};
 }
 
-Vector2f mouse_now() {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return {mouse.x, mouse.y};
-}
-
 /// Where the tools that the settings mean are at an instant.
 spatial::Pose pose_at(const Demonstration& shown, const workbench::GizmoSettings& settings, double at_s) {
   const demonstration::Sample sample = shown.sample_at(at_s);
@@ -91,7 +86,14 @@ void draw_letter(Ui& ui, const std::string& words, const Vector2f& where, Rgba c
                words.c_str());
 }
 
-void draw_shape(Ui& ui, const HandleShape& shape, bool taken) {
+}  // namespace
+
+Vector2f mouse_now() {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return {mouse.x, mouse.y};
+}
+
+void draw_handle(Ui& ui, const HandleShape& shape, bool taken) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Rgba colour = colour_of(shape.handle, taken);
   std::vector<ImVec2> points;
@@ -119,15 +121,12 @@ void draw_shape(Ui& ui, const HandleShape& shape, bool taken) {
   }
 }
 
-/// For scripts; what hangs over the edge of the picture is out of their reach.
 void note_grip(Ui& ui, std::string_view label, std::string_view value, const Vector2f& p, const Rect& picture) {
   const float half = ui.px(12);
   const Rect rect{p.x() - half, p.y() - half, p.x() + half, p.y() + half};
   const bool within = rect.x0 >= picture.x0 && rect.y0 >= picture.y0 && rect.x1 <= picture.x1 && rect.y1 <= picture.y1;
   if (within) note_rect(ui, "mark", label, value, rect);
 }
-
-}  // namespace
 
 bool gizmo_shown(const WorkbenchState& state) {
   const auto shown = selected_demonstration(state);
@@ -248,7 +247,7 @@ void GizmoOverlay::draw_handles(Ui& ui, const WorkbenchState& state, const ViewP
   const std::string words = words_of(draft, workbench::displacement_of(draft));
   const std::optional<Handle> taken = drag_ ? std::optional(drag_->handle) : hovered_;
   for (const HandleShape& shape : handle_shapes(state.gizmo, X_WG, view, ui.px(kLength_px))) {
-    draw_shape(ui, shape, taken == shape.handle);
+    draw_handle(ui, shape, taken == shape.handle);
     note_grip(ui, name_of(shape.handle), words, shape.grip, view.rect);
   }
   if (!drag_) return;

@@ -42,6 +42,13 @@ class GizmoOverlay {
   bool given_up_ = false;  ///< Escape was pressed in a drag; until the button is let go the mouse does nothing.
 };
 
+/// Where the pointer is, in pixels.
+Eigen::Vector2f mouse_now();
+/// One handle as it lies on the picture; `taken`: under the pointer or in a drag.
+void draw_handle(Ui& ui, const HandleShape& shape, bool taken);
+/// Names a handle for scripts; what hangs over the edge of the picture is out of their reach.
+void note_grip(Ui& ui, std::string_view label, std::string_view value, const Eigen::Vector2f& p, const Rect& picture);
+
 /// True while the gizmo can be used: a demonstration is selected and stands still.
 bool gizmo_shown(const WorkbenchState& state);
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
+#include "engine/trial/keyboard_hands.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/common.h"
@@ -53,14 +56,56 @@ void draw_model(Ui& ui, const WorkbenchState& state, const ModelEntry& entry) {
   fact(ui, "Unexplored", count(state.insight->exploration.fully_unexplored) + " cells");
 }
 
-void draw_live(Ui& ui, const workbench::LiveView& live) {
+std::string driver_of(const workbench::RecordByHand& take, kinematics::ArmSide side) {
+  switch (take.options.sources[kinematics::index_of(side)]) {
+    case trial::ArmSource::kHand:
+      return std::string("keyboard and mouse") + (take.gamepad ? ", gamepad" : "") +
+             (take.space_mouse ? ", SpaceMouse" : "");
+    case trial::ArmSource::kScripted:
+      return "scripted " + std::string(trial::to_string(take.options.skill));
+    case trial::ArmSource::kReplay:
+      return "replay";
+    case trial::ArmSource::kStill:
+      return "at rest";
+  }
+  return "";
+}
+
+void draw_take(Ui& ui, const workbench::TakeView& take) {
+  static constexpr std::array<std::string_view, 3> kModes{"continuous", "step", "waypoint"};
+  fact(ui, "Name", take.name);
+  fact(ui, "Left arm", driver_of(take.request, kinematics::ArmSide::kLeft));
+  fact(ui, "Right arm", driver_of(take.request, kinematics::ArmSide::kRight));
+  fact(ui, "Mode", kModes[static_cast<std::size_t>(take.request.options.mode)]);
+  fact(ui, "Block", std::to_string(take.request.options.block));
+  fact(ui, "Goal peg", std::to_string(take.request.options.goal));
+  if (take.request.punch) {
+    fact(ui, "Replaces", seconds(take.request.punch->begin_s) + " – " + seconds(take.request.punch->end_s));
+  }
+}
+
+/// The operator's keys, as long as they are needed.
+void draw_hand_keys(Ui& ui) {
+  const Scope scope(ui, "Keys");
+  heading(ui, "Keys, left and right arm");
+  for (const trial::HandKeyRow& row : trial::hand_key_rows()) {
+    fact(ui, row.meaning, trial::to_text(row.left) + "   " + trial::to_text(row.right));
+  }
+  fact(ui, "fine", "Shift");
+  fact(ui, "clutch", trial::to_text(trial::kClutchKey));
+}
+
+void draw_live(Ui& ui, const WorkbenchState& state) {
+  const workbench::LiveView& live = *state.live;
   const Scope scope(ui, "Recording");
   heading(ui, "Recording");
+  if (state.take) draw_take(ui, *state.take);
   fact(ui, "Time", time_code(live.elapsed_s));
   fact(ui, "Samples", count(live.samples));
   fact(ui, "Segment", std::string(1, demonstration::letter(live.segment)));
   fact(ui, "Authority", demonstration::to_string(live.authority));
   fact(ui, "Speed", fmt::format("{:.2f}× real time", live.realtime_factor));
+  if (state.take) draw_hand_keys(ui);
 }
 
 }  // namespace
@@ -128,7 +173,7 @@ Requests InspectorPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_no_project(ui, state)) return requests;
   if (state.live) {
-    draw_live(ui, *state.live);
+    draw_live(ui, state);
     return requests;
   }
   const auto shown = selected_demonstration(state);

@@ -63,7 +63,7 @@ bool begin_wide_table(const char* id, std::span<const char* const> columns) {
   return true;
 }
 
-void cell(std::string_view words) {
+void text_cell(std::string_view words) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
 }
@@ -74,17 +74,6 @@ std::string summary(const Demonstration& shown) {
   return seconds(shown.duration_s()) + " " + segments + " " +
          std::string(demonstration::to_string(shown.recording->outcome)) + " " +
          provenance_words(shown.recording->provenance);
-}
-
-void draw_demonstration_cells(Ui& ui, const Demonstration& shown) {
-  cell(seconds(shown.duration_s()));
-  cell(count(static_cast<std::int64_t>(shown.gated().size())));
-  ImGui::TableNextColumn();
-  segment_chips(ui, shown, ui.px(17));
-  ImGui::TableNextColumn();
-  draw_outcome(ui, *shown.recording, ImGui::GetContentRegionAvail().x);
-  ImGui::TableNextColumn();
-  dim_text(ui, provenance_words(shown.recording->provenance));
 }
 
 // A selectable card of two lines; returns whether it was clicked.
@@ -169,11 +158,14 @@ Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
   // The buttons stay in sight where there is room for them and for a list.
   const bool tall = ImGui::GetContentRegionAvail().y > ui.px(240);
   draw_buttons(ui, state, requests);
+  // Measures take time; cards show none.
+  if (state.library_on != wide) requests.emplace_back(workbench::Command{workbench::ShowLibrary{wide}});
   if (tall) ImGui::BeginChild("list");
   draw_demonstrations(ui, state, wide, requests);
   ImGui::Dummy({0.0F, ui.px(8)});
   const float models_y = ImGui::GetCursorPosY();
   draw_models(ui, state, wide, requests);
+  draw_trash(ui, state, requests);
   if (tall) {
     draw_pinned_heading(ui, ImGui::GetScrollY() < models_y ? demonstrations_heading(state) : models_heading(state));
     ImGui::EndChild();
@@ -196,30 +188,37 @@ void LibraryPanel::draw_demonstrations(Ui& ui, const WorkbenchState& state, bool
     if (clicked == 1) requests.emplace_back(UiAction::kShowImport);
     return;
   }
-  const std::array<const char*, 6> columns{"Name", "Duration", "Samples", "Segments", "Outcome", "Source"};
-  if (wide && !begin_wide_table("demonstrations", columns)) return;
+  if (wide) return table_.draw(ui, state, ImGui::GetWindowHeight() - ui.px(150), requests);
   UniqueNames unique;
   for (const auto& [id, shown] : list) {
-    const std::string name = unique(shown->name);
     const bool selected = id == state.demonstration;
     ImGui::PushID(static_cast<int>(id.value));
-    bool clicked = false;
-    if (wide) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      clicked = selectable_row(ui, name, selected, summary(*shown), {.height = ui.px(20)});
-      const Scope row(ui, name);
-      ImGui::SameLine(0.0F, 0.0F);
-      ImGui::TextUnformatted(shown->name.c_str());
-      draw_demonstration_cells(ui, *shown);
-    } else {
-      clicked = card(ui, name, selected, summary(*shown),
-                     [&ui, &shown = shown](float width) { draw_card(ui, *shown, width); });
-    }
+    const bool clicked = card(ui, unique(shown->name), selected, summary(*shown),
+                              [&ui, &shown = shown](float width) { draw_card(ui, *shown, width); });
     ImGui::PopID();
     if (clicked && !selected) requests.emplace_back(workbench::Command{workbench::SelectDemonstration{id}});
   }
-  if (wide) ImGui::EndTable();
+}
+
+void LibraryPanel::draw_trash(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const auto& trash = state.project->trash;
+  if (trash.empty()) return;
+  const Scope scope(ui, "Trash");
+  ImGui::Dummy({0.0F, ui.px(8)});
+  small_text(ui, "TRASH  " + std::to_string(trash.size()), ui.theme().text_dim);
+  UniqueNames unique;
+  for (const auto& [id, document] : trash) {
+    const Scope row(ui, unique(document->name));
+    const float width = button_width(ui, "Restore", icon::kUndo);
+    const std::string words = document->name + "  " + seconds(document->duration_s());
+    ImGui::AlignTextToFramePadding();
+    dim_text(ui, fitted(words, ImGui::GetContentRegionAvail().x - width - ui.px(12)));
+    flow(width, ui.px(8));
+    const char* reason = state.live ? "A transfer is being recorded" : "";
+    if (button(ui, "Restore", {.icon = icon::kUndo, .help = "Take it out of the trash", .reason = reason})) {
+      requests.emplace_back(workbench::Command{workbench::CommitEdit{workbench::RestoreDemonstration{id}}});
+    }
+  }
 }
 
 namespace {
@@ -248,10 +247,10 @@ void draw_model_card(Ui& ui, const ModelEntry& entry, bool stale, const std::str
 }
 
 void draw_model_cells(Ui& ui, const ModelEntry& entry, bool stale, const std::string& arrival) {
-  cell(learning::to_string(entry.model->options.method));
+  text_cell(learning::to_string(entry.model->options.method));
   ImGui::TableNextColumn();
   segment_chip(ui, entry.segment, true, ui.px(17));
-  cell(arrival);
+  text_cell(arrival);
   ImGui::TableNextColumn();
   if (stale) {
     badge(ui, icon::kWarning, "stale", ui.theme().warning, "A demonstration was edited since training");

@@ -202,6 +202,12 @@ Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (!state.insight || state.insight->entry == nullptr) {
     const std::array<EmptyStateAction, 1> actions{
         {{"Train a model…", icon::kTrain, command("model.train").reason_now(state), "Learn from demonstrations"}}};
+    const bool waiting = selected_model(state) != nullptr;
+    if (waiting) {
+      ui.animate();
+      empty_state(ui, icon::kClock, "Rolling the agent out", "This takes a moment", {});
+      return requests;
+    }
     if (empty_state(ui, icon::kRoad, "No model is selected",
                     "What the agent does from starts around the expert's is shown here", actions) == 0) {
       requests.emplace_back(ShowPanel{PanelId::kTrain});

@@ -81,7 +81,7 @@ Requests TrainPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (draw_no_project(ui, state)) return requests;
   if (state.project->demonstrations.empty()) {
     const std::array<EmptyStateAction, 1> actions{
-        {{"Record…", icon::kRecord, command("demo.record").reason_now(state), "Record a scripted transfer"}}};
+        {{"Record…", icon::kRecord, command("demo.record").reason_now(state), "Record a transfer"}}};
     if (empty_state(ui, icon::kTrain, "Nothing to learn from", "A model is learned from demonstrations", actions) ==
         0) {
       requests.emplace_back(UiAction::kShowRecord);

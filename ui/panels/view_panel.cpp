@@ -58,27 +58,6 @@ void draw_axes(Ui& ui, const WorkbenchState& state, const Rect& rect) {
   }
 }
 
-// Its words stand above `bottom`.
-void draw_banner(Ui& ui, const workbench::LiveView& live, const Rect& rect, float bottom) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float thick = ui.px(3);
-  list.AddRect({rect.x0 + 0.5F * thick, rect.y0 + 0.5F * thick}, {rect.x1 - 0.5F * thick, rect.y1 - 0.5F * thick},
-               to_u32(ui.theme().danger_fill), 0.0F, ImDrawFlags_None, thick);
-  std::string words =
-      fmt::format("{}  REC  {}   {} samples   segment {}   {:.2f}× real time", icon::kRecord, time_code(live.elapsed_s),
-                  count(live.samples), demonstration::letter(live.segment), live.realtime_factor);
-  // The time is what matters most.
-  const std::string brief = fmt::format("{}  REC  {}", icon::kRecord, time_code(live.elapsed_s));
-  const FontScope font(ui.fonts().strong);
-  if (ImGui::CalcTextSize(words.c_str()).x > rect.width() - ui.px(40)) words = brief;
-  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-  const ImVec2 at{std::round(rect.centre_x() - 0.5F * size.x), bottom - size.y - ui.px(24)};
-  list.AddRectFilled({at.x - ui.px(14), at.y - ui.px(7)}, {at.x + size.x + ui.px(14), at.y + size.y + ui.px(7)},
-                     to_u32(ui.theme().danger_fill), ui.px(16));
-  list.AddText(at, to_u32(ui.theme().on_accent), words.c_str());
-  note_rect(ui, "text", "REC", words, {at.x, at.y, at.x + size.x, at.y + size.y});
-}
-
 void draw_camera_buttons(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests) {
   struct Preset {
     std::string_view name;
@@ -222,7 +201,7 @@ void ViewPanel::draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& r
   const Rect buttons = item_rect();
   // Not under the buttons.
   if (rect.height() > ui.px(140)) draw_axes(ui, state, rect);
-  if (state.live) draw_banner(ui, *state.live, rect, buttons.y0 > rect.centre_y() ? buttons.y0 : rect.y1);
+  take_.draw(ui, state, {shown_camera(state), rect}, buttons.y0 > rect.centre_y() ? buttons.y0 : rect.y1, requests);
   if (state.picture == nullptr && state.picture_error.empty()) {
     ImGui::SetCursorScreenPos({rect.x1 - ui.px(40), rect.y1 - ui.px(40)});
     spinner(ui, ui.px(14), ui.theme().text_dim);
@@ -256,7 +235,9 @@ Requests ViewPanel::draw(Ui& ui, const WorkbenchState& state) {
   ImGui::SetItemAllowOverlap();
   const Rect rect = item_rect();
   const ViewPort port{shown_camera(state), rect};
-  if (!gizmo_.take_mouse(ui, state, port, hovered, requests)) take_mouse(ui, state, hovered, requests);
+  const bool taken =
+      take_.take_mouse(ui, state, port, hovered, requests) || gizmo_.take_mouse(ui, state, port, hovered, requests);
+  if (!taken) take_mouse(ui, state, hovered, requests);
   draw_picture(ui, state, rect);
   const ImVec2 after = ImGui::GetCursorPos();
   // Handles belong to one picture.
@@ -264,6 +245,7 @@ Requests ViewPanel::draw(Ui& ui, const WorkbenchState& state) {
     draw_edges(ui, *state.picture_edges, rect);
   } else {
     gizmo_.draw(ui, state, port);
+    take_.draw_marks(ui, state, port);
   }
   draw_overlays(ui, state, rect, requests);
   ImGui::SetCursorPos(after);

@@ -7,6 +7,7 @@
 #include "ui/panel.h"
 #include "ui/panels/gizmo_bar.h"
 #include "ui/panels/gizmo_overlay.h"
+#include "ui/panels/take_overlay.h"
 
 namespace trocar::ui {
 
@@ -23,6 +24,7 @@ class ViewPanel final : public Panel {
 
   GizmoBar gizmo_bar_;
   GizmoOverlay gizmo_;
+  TakeOverlay take_;
   int asked_width_ = 0;
   int asked_height_ = 0;
   int wanted_width_ = 0;

@@ -1,6 +1,7 @@
 /// The list of everything on screen in one frame, by label: what tests, scripts, the dump and the palette go by.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -41,8 +42,12 @@ struct Item {
   std::string shortcut;
   bool text_clipped = false;  ///< Its text is wider than its place, or its place is cut off and cannot be scrolled to.
 
-  /// Its centre can be clicked.
-  bool reachable() const { return clip.contains(rect.centre_x(), rect.centre_y()); }
+  /// Where it is pressed: in the middle, or in the middle of what its region shows of it where it is wider than that.
+  float press_x() const {
+    const bool wider = rect.width() > clip.width();
+    return wider ? 0.5F * (std::max(rect.x0, clip.x0) + std::min(rect.x1, clip.x1)) : rect.centre_x();
+  }
+  bool reachable() const { return clip.contains(press_x(), rect.centre_y()); }
 };
 
 /// Threads: that of the window.

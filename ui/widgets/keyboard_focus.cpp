@@ -76,7 +76,7 @@ void KeyboardFocus::press(const Item& item, InputQueue& input) {
   // A slider takes a typed number on a click with Ctrl.
   const bool slider = item.role == "slider";
   if (slider) input.push(KeyChanged{Key::kLeftControl, true});
-  input.push(MouseMoved{item.rect.centre_x(), item.rect.centre_y()});
+  input.push(MouseMoved{item.press_x(), item.rect.centre_y()});
   input.push(MouseButton{0, true});
   input.push(MouseButton{0, false});
   if (slider) input.push(KeyChanged{Key::kLeftControl, false});

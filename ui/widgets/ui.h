@@ -4,10 +4,12 @@
 #include <imgui.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "engine/trial/stick_hands.h"
 #include "ui/fonts.h"
 #include "ui/textures.h"
 #include "ui/theme.h"
@@ -65,6 +67,9 @@ class Ui {
   void begin_frame(double now_s);
   void set_theme(const Theme& theme) { theme_ = theme; }
   void set_fonts(const Fonts& fonts) { fonts_ = fonts; }
+  /// The gamepad as it is held in this frame; nothing if none is connected.
+  const std::optional<trial::GamepadLook>& gamepad() const { return gamepad_; }
+  void set_gamepad(const std::optional<trial::GamepadLook>& look) { gamepad_ = look; }
 
  private:
   Theme theme_ = make_theme(ThemeKind::kDark);
@@ -72,6 +77,7 @@ class Ui {
   TextureStore* textures_;
   InputQueue* input_;
   std::shared_ptr<const Keymap> keymap_;
+  std::optional<trial::GamepadLook> gamepad_;
   ItemLog items_;
   std::string hint_;
   std::string shown_hint_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "engine/render/gl_functions.h"
@@ -50,6 +51,7 @@ class GlfwWindow final : public Window {
   void set_cursor(ImGuiMouseCursor cursor) override;
   std::string clipboard() const override;
   void set_clipboard(const std::string& text) override { glfwSetClipboardString(handle_.get(), text.c_str()); }
+  std::optional<trial::GamepadLook> gamepad() override;
   Status upload_fonts(ImFontAtlas& atlas) override;
   Status present(const ImDrawData& data, Rgba ground) override;
   Result<Image> capture() override;
@@ -141,6 +143,20 @@ bool GlfwWindow::take_close_request() {
   if (glfwWindowShouldClose(handle_.get()) == 0) return false;
   glfwSetWindowShouldClose(handle_.get(), GLFW_FALSE);
   return true;
+}
+
+std::optional<trial::GamepadLook> GlfwWindow::gamepad() {
+  for (int stick = GLFW_JOYSTICK_1; stick <= GLFW_JOYSTICK_LAST; ++stick) {
+    GLFWgamepadstate state;
+    if (glfwJoystickIsGamepad(stick) == GLFW_FALSE || glfwGetGamepadState(stick, &state) == GLFW_FALSE) continue;
+    trial::GamepadLook look;
+    std::copy(std::begin(state.axes), std::end(state.axes), look.axes.begin());
+    for (unsigned i = 0; i < std::size(state.buttons); ++i) {
+      if (state.buttons[i] == GLFW_PRESS) look.buttons |= 1U << i;
+    }
+    return look;
+  }
+  return std::nullopt;
 }
 
 void GlfwWindow::set_title(const std::string& title) {

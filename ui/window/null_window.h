@@ -18,6 +18,9 @@ class NullWindow : public Window {
   void set_cursor(ImGuiMouseCursor cursor) override { cursor_ = cursor; }
   std::string clipboard() const override { return clipboard_; }
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
+  std::optional<trial::GamepadLook> gamepad() override { return gamepad_; }
+  /// As if one were plugged in, and held so.
+  void set_gamepad(std::optional<trial::GamepadLook> look) { gamepad_ = look; }
   Status upload_fonts(ImFontAtlas& atlas) override;
   Status present(const ImDrawData& data, Rgba ground) override;
   Result<Image> capture() override;
@@ -29,6 +32,7 @@ class NullWindow : public Window {
   std::int64_t frame_ = 0;
   std::string title_;
   std::string clipboard_;
+  std::optional<trial::GamepadLook> gamepad_;
   ImGuiMouseCursor cursor_ = 0;
   NullTextures textures_;
 };

@@ -8,6 +8,7 @@
 
 #include "engine/core/image.h"
 #include "engine/core/result.h"
+#include "engine/trial/stick_hands.h"
 #include "ui/textures.h"
 #include "ui/window/input.h"
 
@@ -41,6 +42,9 @@ class Window {
   virtual void set_cursor(ImGuiMouseCursor cursor) = 0;
   virtual std::string clipboard() const = 0;
   virtual void set_clipboard(const std::string& text) = 0;
+
+  /// The first gamepad that is connected, as it is held now; nothing if there is none.
+  virtual std::optional<trial::GamepadLook> gamepad() { return std::nullopt; }
 
   /// Called after the atlas was built anew.
   virtual Status upload_fonts(ImFontAtlas& atlas) = 0;

@@ -71,6 +71,7 @@ TEST_CASE("a form keeps the ring to itself, takes letters where a field is reach
   Desk desk(testing::made_state());
   Driver driver = desk.driver();
   CHECK(text_of(driver.click("Library/Record…")) == "");
+  CHECK(text_of(driver.click("Record/Who/Scripted")) == "");
   REQUIRE(tab_to(desk, "Record/Name"));
   desk.window.input().push(Typed{'x'});
   CHECK(driver.frames(2));

@@ -152,8 +152,8 @@ TEST_CASE("so is every form and every menu") {
     CAPTURE(scale);
     Desk desk(testing::made_state_with_model(), scale);
     Driver driver = desk.driver();
-    for (const char* keys : {"Ctrl+N", "Ctrl+O", "Ctrl+I", "Ctrl+Alt+E", "Ctrl+E", "Ctrl+Shift+E", "R", "F1", "Shift+/",
-                             "Ctrl+Shift+P", "Ctrl+P", "Ctrl+Q"}) {
+    for (const char* keys : {"Ctrl+N", "Ctrl+O", "Ctrl+I", "Ctrl+Alt+E", "Ctrl+E", "Ctrl+Shift+E", "Shift+R", "F1",
+                             "Shift+/", "Ctrl+Shift+P", "Ctrl+P", "Ctrl+Q"}) {
       CAPTURE(keys);
       CHECK(driver.key(keys));
       CHECK(driver.frames(4));

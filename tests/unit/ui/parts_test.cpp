@@ -155,10 +155,10 @@ TEST_CASE("settings survive being written and read, and nonsense keeps the defau
   settings.workspace = Workspace::kFields;
   settings.window = {1280, 800};
   settings.recent = {"/a.trocar"};
+  settings.hidden_lanes = 0b100101;
   settings.keys = with_chords({KeyPreset::kNle, {}}, "edit.undo", {chord_from("F5").value()});
   settings.layouts[1] = closed(settings.layouts[1], PanelId::kLog);
   settings.named[1] = {{"Wide", with_side_toggled(settings.layouts[1], Side::kLeft)}};
-  settings.hidden_lanes = 0b100101;
   Diagnostics odd;
   CHECK(settings_from_json(to_json(settings), odd).value().hidden_lanes == 0b100101);
   CHECK(to_json(settings_from_json(to_json(settings), odd).value()) == to_json(settings));

@@ -31,6 +31,7 @@ TEST_CASE("the record form posts what was chosen") {
   Desk desk(testing::made_state());
   Driver driver = desk.driver();
   CHECK(text_of(driver.click("Library/Record…")) == "");
+  CHECK(text_of(driver.click("Record/Who/Scripted")) == "");
   CHECK(text_of(driver.click("Record/Skill/Novice")) == "");
   CHECK(text_of(driver.type("Record/Seed", "42")) == "");
   CHECK(text_of(driver.type("Record/Name", "Versuch ä")) == "");

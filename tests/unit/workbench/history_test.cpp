@@ -231,7 +231,13 @@ TEST_CASE("every edit of the project reads back from its JSON as it was") {
                                 EditDemonstration{{5}, Trim{0.1, 1.0 / 3.0}},
                                 EditDemonstration{{5}, LabelSegment{Segment::kE, 0.0, 1e-9}},
                                 AddModel{6},
-                                RemoveModel{{7}}};
+                                RemoveModel{{7}},
+                                RestoreDemonstration{{4}},
+                                MarkDemonstration{{4}, {Flag::kBad, Verdict::kFailure, 3, {"a"}, {"b"}, "über"}},
+                                MarkDemonstration{{4}, {}},
+                                SaveFilter{"long", "length>10"},
+                                RemoveFilter{"long"},
+                                Batch{"Two", {RemoveDemonstration{{4}}, EditDemonstration{{5}, Trim{0.1, 0.2}}}}};
   for (const Edit& edit : edits) {
     const Result<Edit> read = edit_from_json(name_of(edit), to_json(edit));
     REQUIRE(read);
