@@ -36,7 +36,10 @@ const std::map<std::string, trial::ArmSource> kSources{{"hand", trial::ArmSource
                                                        {"still", trial::ArmSource::kStill}};
 
 void bind_keys(CLI::App& verb, RecordArguments& arguments) {
-  verb.add_option("--script", arguments.script, "The file of timed key presses; operator keys");
+  verb.add_option(
+      "--script", arguments.script,
+      "The file of timed key presses, one a line: \"0.5 hold W 0.3\", \"1 down D\", \"1.4 up D\", \"2 tap C\", "
+      "\"3 end\"; seconds first, Shift+W is finer; operator keys");
   verb.add_option("--mode", arguments.mode, "How keys move the tool: continuous, step or waypoint; operator keys")
       ->check(CLI::IsMember(kModes))
       ->capture_default_str();
@@ -133,6 +136,11 @@ Result<Answer> run_keys(const RecordArguments& arguments, Console& console) {
 Result<Answer> run_record(const RecordArguments& arguments, Console& console) {
   if (arguments.operator_kind == "keys") return run_keys(arguments, console);
   if (!arguments.script.empty()) return fail(ErrorCode::kInvalidArgument, "a --script is played by operator keys");
+  const RecordArguments untouched;
+  if (arguments.mode != untouched.mode || arguments.left != untouched.left || arguments.right != untouched.right ||
+      !arguments.replay.empty()) {
+    return fail(ErrorCode::kInvalidArgument, "--mode, --left, --right and --replay go with --operator keys");
+  }
   trial::TransferOptions options = arguments.options;
   TROCAR_ASSIGN_OR_RETURN(options.skill, trial::skill_from(arguments.skill));
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
@@ -180,6 +188,7 @@ Result<Answer> run_replay(const ReplayArguments& arguments, Console& console) {
                  {"placed", result.placed}};
   answer.summary = result.verified ? "the same states, bit for bit"
                                    : fmt::format("diverged at {:.3f} s", result.diverged_at_s.value_or(0.0));
+  if (!demonstration->stack->empty()) answer.summary += "; of the recording, without its edits";
   answer.text = fmt::format("{}: {}", demonstration->name, answer.summary);
   answer.passed = result.verified || !arguments.verify;
   return answer;

@@ -61,7 +61,9 @@ Finding examine_display() {
 Result<Answer> run_doctor(const NoArguments& /*arguments*/, Console& /*console*/) {
   std::vector<Finding> findings = {examine_gl()};
   for (Finding& finding : examine_codecs()) findings.push_back(std::move(finding));
-  for (const char* format : {"csv", "npy"}) findings.push_back({"formats", format, true, "demo import and export"});
+  for (const char* format : {"csv", "npy", "hdf5"})
+    findings.push_back({"formats", format, true, "demo import and export"});
+  findings.push_back({"formats", "jigsaws", true, "demo import"});
   findings.push_back(examine_assets());
   findings.push_back(examine_display());
   findings.push_back({"devices", "simulated arms", true, "both PSMs, in ODE"});

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <type_traits>
 
 #include "engine/demonstration/edit_words.h"
 
@@ -80,6 +81,23 @@ struct Planned {
   std::optional<Edit> edit;
 };
 
+/// A span that is not given is all between the gates, as for `trocar demo edit`; a label has to say what it covers.
+demonstration::Edit over_all(demonstration::Edit edit, const Demonstration& document) {
+  std::visit(
+      [&document]<typename Edited>(Edited& one) {
+        if constexpr (!std::is_same_v<Edited, demonstration::LabelSegment> && requires {
+                        one.from_s;
+                        one.to_s;
+                      }) {
+          if (one.from_s != 0.0 || one.to_s != 0.0) return;
+          one.from_s = document.begin_s;
+          one.to_s = document.end_s;
+        }
+      },
+      edit);
+  return edit;
+}
+
 struct Planner {
   const Demonstration& document;
   const Marks& marks;
@@ -99,7 +117,8 @@ struct Planner {
     }
     return planned;
   }
-  Planned operator()(const demonstration::Edit& edit) const {
+  Planned operator()(const demonstration::Edit& given) const {
+    const demonstration::Edit edit = over_all(given, document);
     Planned planned{{document.id, document.name, "", ""}, {}};
     const Result<Demonstration> after = demonstration::apply(document, edit, 0);
     if (!after) {

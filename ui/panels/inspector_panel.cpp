@@ -161,7 +161,10 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
   }
   fact(ui, "Duration", seconds(shown->duration_s()));
   fact(ui, "Gates", fmt::format("{:.2f}–{:.2f} s", shown->begin_s, shown->end_s));
-  fact(ui, "Samples", count(static_cast<std::int64_t>(shown->gated().size())) + " at 200 Hz");
+  const auto samples = static_cast<std::int64_t>(shown->gated().size());
+  const double rate_hz = shown->duration_s() > 0.0 ? static_cast<double>(samples - 1) / shown->duration_s()
+                                                   : demonstration::kSampleRate_hz;
+  fact(ui, "Samples", count(samples) + " at " + number(rate_hz) + " Hz");
   fact(ui, "Version", short_hash(shown->hash()));
   ImGui::Dummy({0.0F, ui.px(2)});
   draw_segments(ui, state, *shown, requests);

@@ -116,6 +116,7 @@ void LibraryFilter::draw(Ui& ui, const WorkbenchState& state, std::size_t shown,
   std::string words = shown == all ? fmt::format("{} demonstration{}", all, all == 1 ? "" : "s")
                                    : fmt::format("{} of {} demonstrations", shown, all);
   if (undecided > 0) words += fmt::format(", {} not measured yet", undecided);
+  ImGui::AlignTextToFramePadding();  // A button follows on the same line.
   small_text(ui, words, ui.theme().text_dim);
 }
 

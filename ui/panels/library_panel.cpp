@@ -154,7 +154,7 @@ Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_no_project(ui, state)) return requests;
   remember(state);
-  const bool wide = ImGui::GetContentRegionAvail().x > ui.px(620);
+  const bool wide = ImGui::GetContentRegionAvail().x > ui.px(400);
   // The buttons stay in sight where there is room for them and for a list.
   const bool tall = ImGui::GetContentRegionAvail().y > ui.px(240);
   draw_buttons(ui, state, requests);

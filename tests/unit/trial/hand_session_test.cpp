@@ -184,7 +184,7 @@ TEST_CASE("what is out of reach is held, said and counted") {
   Take take(still_assistant());
   take.session->post(PlaceTool{ArmSide::kLeft, {{0.0, -0.02, 0.4}, kinematics::pointing_down(0.0)}});
   take.run(2000);
-  const ArmReport& arm = take.session->status().arms[0];
+  const ArmReport arm = take.session->status().arms[0];
   CHECK(arm.refused_count > 0);
   CHECK(arm.limited_count > 0);
   CHECK(verifies(take.end()));

@@ -53,6 +53,20 @@ std::string complaint(std::string_view query) {
 
 }  // namespace
 
+TEST_CASE("an edit of several without a span is of all that lies between each one's gates") {
+  ThreeOf three;
+  const auto plan = three.plan({"smooth", "--max-deviation-mm", "0.3"});
+  REQUIRE(plan->error.empty());
+  for (const Edit& edit : plan->edit.edits) {
+    const auto& one = std::get<EditDemonstration>(edit);
+    const auto& document = *three.file.project()->demonstrations.at(one.demonstration);
+    const auto& smooth = std::get<demonstration::Smooth>(one.edit);
+    CHECK(smooth.from_s == document.begin_s);
+    CHECK(smooth.to_s == document.end_s);
+  }
+  for (const BatchLine& line : plan->lines) CHECK(line.problem.find("the end") == std::string::npos);
+}
+
 TEST_CASE("what is said of a demonstration survives a restart, and undo takes it back") {
   ThreeOf three;
   const std::uint64_t before = three.file.project()->hash();
