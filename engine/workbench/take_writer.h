@@ -48,6 +48,8 @@ class TakeWriter {
 
  private:
   Status add_notes(DemonstrationId id);
+  /// From where the take ended to the old motion, by an edit of its own.
+  Status ease_out();
 
   ProjectFile& file_;
   demonstration::Provenance provenance_;
@@ -58,6 +60,7 @@ class TakeWriter {
   std::int64_t samples_ = 0;
   std::int64_t first_tick_ = 0;
   std::int64_t last_tick_ = 0;
+  demonstration::Sample last_;
 };
 
 }  // namespace trocar::workbench

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "engine/demonstration/edits/edit_functions.h"
 #include "engine/demonstration/edits/stretch.h"
@@ -35,18 +37,42 @@ double eased(double x) {
 
 /// How much of the way to the other block and the other peg belongs to each instant.
 struct RetargetShare {
-  SegmentSpan carry;  ///< C: away from the block.
-  SegmentSpan place;  ///< E: to the peg.
+  SegmentSpan carry;    ///< C: away from the block.
+  SegmentSpan place;    ///< E: to the peg.
+  double over_s = 0.0;  ///< In E: over the peg, before the block is lowered onto it.
 
   double of_block(double t_s) const { return 1.0 - eased((t_s - carry.begin_s) / (carry.end_s - carry.begin_s)); }
-  /// The first half of E moves over the peg.
-  double of_goal(double t_s) const { return eased(2.0 * (t_s - place.begin_s) / (place.end_s - place.begin_s)); }
+  double of_goal(double t_s) const { return eased((t_s - place.begin_s) / (over_s - place.begin_s)); }
 };
 
-Result<RetargetShare> share_of(const Demonstration& document) {
+/// When the right tool, holding the block in E, leaves the upper fifth of its heights for good; the middle of E where
+/// it is not known to hold.
+double begin_of_lowering(const Demonstration& document, const std::vector<Sample>& samples, const SegmentSpan& place) {
+  constexpr double kUpper = 0.8;
+  const auto carried = [&](const Sample& sample) {
+    const double t_s = document.time_of(sample);
+    return t_s >= place.begin_s && t_s <= place.end_s && (sample.flags & kRightHolds) != 0;
+  };
+  double low_m = std::numeric_limits<double>::infinity();
+  double high_m = -low_m;
+  for (const Sample& sample : samples) {
+    if (!carried(sample)) continue;
+    low_m = std::min(low_m, sample.arms[1].setpoint_p[2]);
+    high_m = std::max(high_m, sample.arms[1].setpoint_p[2]);
+  }
+  double over_s = 0.5 * (place.begin_s + place.end_s);
+  if (!(high_m > low_m)) return over_s;
+  for (const Sample& sample : samples) {
+    if (carried(sample) && sample.arms[1].setpoint_p[2] >= low_m + kUpper * (high_m - low_m))
+      over_s = document.time_of(sample);
+  }
+  return std::max(over_s, place.begin_s + 1.0 / kSampleRate_hz);
+}
+
+Result<RetargetShare> share_of(const Demonstration& document, const std::vector<Sample>& samples) {
   const auto carry = document.segment(Segment::kC);
   const auto place = document.segment(Segment::kE);
-  if (carry && place) return RetargetShare{*carry, *place};
+  if (carry && place) return RetargetShare{*carry, *place, begin_of_lowering(document, samples, *place)};
   return fail(ErrorCode::kInvalidArgument, "it needs the segments C and E; label them first");
 }
 
@@ -71,12 +97,12 @@ Result<Demonstration> made_by(const Demonstration& document, const Retarget& edi
   if (document.block < 0 || document.block >= peg_board::kBlockCount || document.goal < 0 || document.goal >= 6) {
     return fail(ErrorCode::kInvalidArgument, "it is not known which block was carried to which peg");
   }
-  TROCAR_ASSIGN_OR_RETURN(const RetargetShare share, share_of(document));
   const Eigen::Vector3d to_block = peg_board::start_peg(edit.block) - peg_board::start_peg(document.block);
   const Eigen::Vector3d to_goal = peg_board::goal_peg(edit.goal) - peg_board::goal_peg(document.goal);
   const auto from = static_cast<std::size_t>(document.block);
   const auto to = static_cast<std::size_t>(edit.block);
   Stretch all{0, document.samples.to_vector()};
+  TROCAR_ASSIGN_OR_RETURN(const RetargetShare share, share_of(document, all.samples));
   const Sample start = all.samples.front();
   for (Sample& sample : all.samples) {
     const double t_s = document.time_of(sample);

@@ -30,6 +30,14 @@ TEST_CASE("a transfer as it was recorded is a transfer in the simulator too, als
   CHECK(simulated(trimmed).transferred());
 }
 
+TEST_CASE("a transfer is one of another block to another peg too, once it is retargeted") {
+  const Demonstration document = transfer(1);
+  for (const int number : {2, 4}) {
+    CAPTURE(number);
+    CHECK(simulated(apply(document, Retarget{number, number}).value()).transferred());
+  }
+}
+
 TEST_CASE("jaws that open on the way drop the block there and then") {
   const Demonstration document = transfer(1);
   const auto carried = document.segment(Segment::kC).value();

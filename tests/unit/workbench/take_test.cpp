@@ -131,8 +131,7 @@ TEST_CASE("an overdub keeps what the replayed arm did and records the other one 
   CHECK(verifies(*both->recording));
 }
 
-TEST_CASE(
-    "a punch-in replaces the span that was selected, begins where the arms were then, and is undone in one step") {
+TEST_CASE("a punch-in replaces the span that was selected, begins and ends where the arms were, and is undone") {
   const ScratchFolder folder;
   ProjectFile file = created(folder / "p.trocar");
   const DemonstrationId whole = record(file, left_by_keys("Whole"), "0 hold D 2\n2.5 end\n").id;
@@ -149,6 +148,13 @@ TEST_CASE(
   const Eigen::Vector3d begin = before->sample_at(1.0).arms[0].setpoint().p;
   CHECK((after->sample_at(1.005).arms[0].setpoint().p - begin).norm() < 0.0005);
   CHECK(after->sample_at(1.45).arms[0].setpoint().p.z() > begin.z() + 0.008);
+  // After it the old motion is joined again without a leap.
+  for (double t_s = 1.4; t_s < 2.4; t_s += 0.005) {
+    const Eigen::Vector3d from = after->sample_at(t_s).arms[0].setpoint().p;
+    CHECK((after->sample_at(t_s + 0.005).arms[0].setpoint().p - from).norm() < 0.0012);
+  }
+  CHECK((after->sample_at(2.1).arms[0].setpoint().p - before->sample_at(2.1).arms[0].setpoint().p).norm() < 0.001);
+  REQUIRE(file.undo());
   REQUIRE(file.undo());
   CHECK(shown(file, whole)->hash() == before->hash());
 }
