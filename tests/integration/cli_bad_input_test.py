@@ -156,7 +156,10 @@ class ReadOnly(CommandLineTest):
     def as_somebody(self, *arguments):
         """The super-user may write everywhere, so that for him somebody else runs it."""
         keywords = {"user": "nobody", "group": "nogroup", "extra_groups": []} if os.geteuid() == 0 else {}
-        return trocar(*arguments, **keywords)
+        try:
+            return trocar(*arguments, **keywords)
+        except PermissionError:
+            self.skipTest(f"nobody else may look into the folder of {TROCAR}")
 
     def protect(self, project):
         project.chmod(0o444)

@@ -197,7 +197,7 @@ void LibraryTable::draw_name(Ui& ui, const WorkbenchState& state, std::size_t pl
   if (!chosen) {
     const Rect square = item_rect();
     ImGui::GetWindowDrawList()->AddRect({square.x0 + ui.px(3), square.y0 + ui.px(4)},
-                                        {square.x1 - ui.px(3), square.y1 - ui.px(4)}, to_u32(ui.theme().text_disabled),
+                                        {square.x1 - ui.px(3), square.y1 - ui.px(4)}, to_u32(ui.theme().text_dim),
                                         ui.px(3));
   }
   const float left = at.x + box + ui.px(6);
