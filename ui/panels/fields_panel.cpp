@@ -277,8 +277,9 @@ Requests FieldsPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_no_project(ui, state)) return requests;
   if (!state.insight || state.insight->entry == nullptr || state.insight->field == nullptr) {
+    const std::string reason = command("model.train").reason_now(state);
     const std::array<EmptyStateAction, 1> actions{
-        {{"Train a model…", icon::kTrain, command("model.train").reason_now(state), "Learn from demonstrations"}}};
+        {{"Train a model…", icon::kTrain, reason, "Learn from demonstrations"}}};
     const bool waiting = selected_model(state) != nullptr;
     if (waiting) ui.animate();
     if (empty_state(
