@@ -143,8 +143,8 @@ Requests TimelinePanel::draw(Ui& ui, const WorkbenchState& state) {
   }
   const auto shown = selected_demonstration(state);
   if (shown == nullptr || shown->gated().empty()) {
-    const std::array<EmptyStateAction, 1> actions{
-        {{"Record…", icon::kRecord, command("demo.record").reason_now(state), "Record a transfer"}}};
+    const std::string reason = command("demo.record").reason_now(state);
+    const std::array<EmptyStateAction, 1> actions{{{"Record…", icon::kRecord, reason, "Record a transfer"}}};
     const std::string_view sentence = "Select a demonstration in the library, or record one";
     if (empty_state(ui, icon::kSliders, "Nothing to show over time", sentence, actions) == 0) {
       requests.emplace_back(UiAction::kShowRecord);

@@ -80,8 +80,8 @@ Requests TrainPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_no_project(ui, state)) return requests;
   if (state.project->demonstrations.empty()) {
-    const std::array<EmptyStateAction, 1> actions{
-        {{"Record…", icon::kRecord, command("demo.record").reason_now(state), "Record a transfer"}}};
+    const std::string reason = command("demo.record").reason_now(state);
+    const std::array<EmptyStateAction, 1> actions{{{"Record…", icon::kRecord, reason, "Record a transfer"}}};
     if (empty_state(ui, icon::kTrain, "Nothing to learn from", "A model is learned from demonstrations", actions) ==
         0) {
       requests.emplace_back(UiAction::kShowRecord);
