@@ -24,7 +24,7 @@ struct SnapFigures {
 /// Of what `edit` would make of `document`, one for each of its arms. Errors: those of `transformed`.
 Result<std::vector<SnapFigures>> snap_figures(const Demonstration& document, const SnapToGrid& edit);
 
-/// "left tool: 112 actions, error at most 1.93 mm, 0.84 mm on average, 3 cells skipped, 0 repeated".
+/// "left tool: 112 actions, error at most 1.93 mm, 0.84 mm on average; cells skipped: 3, repeated: 0".
 std::string sentence_of(const SnapFigures& figures);
 
 }  // namespace trocar::demonstration

@@ -137,7 +137,7 @@ Result<std::vector<SnapFigures>> snap_figures(const Demonstration& document, con
 
 std::string sentence_of(const SnapFigures& figures) {
   return fmt::format(
-      "{} tool: {} actions, error at most {:.2f} mm, {:.2f} mm on average, {} cells skipped, {} repeated",
+      "{} tool: {} actions, error at most {:.2f} mm, {:.2f} mm on average; cells skipped: {}, repeated: {}",
       figures.arm == 0 ? "left" : "right", figures.actions, 1e3 * figures.max_error_m, 1e3 * figures.mean_error_m,
       figures.skipped_cells, figures.repeated_cells);
 }
