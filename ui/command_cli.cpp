@@ -11,7 +11,7 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 68> kEquivalents{{
+constexpr std::array<Equivalent, 69> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
     {"file.import", "trocar demo import P FILE"},
@@ -39,6 +39,7 @@ constexpr std::array<Equivalent, 68> kEquivalents{{
     {"modify.trim_idle", "trocar demo edit P DEMO trim-idle"},
     {"modify.delete", "trocar demo edit P DEMO delete --from S --to S"},
     {"modify.splice", "trocar demo edit P DEMO splice --source DEMO --at S"},
+    {"modify.overdub", "trocar demo edit P DEMO overdub --source DEMO --at S --arms left|right|both"},
     {"modify.bridge", "trocar demo edit P DEMO bridge --from S --to S"},
     {"modify.move", "trocar demo edit P DEMO move --at S"},
     {"modify.rotate", "trocar demo edit P DEMO rotate --at S"},

@@ -69,11 +69,12 @@ constexpr RowData key_row(std::string_view id, std::string_view title, std::stri
 constexpr std::string_view kFromPlayhead = "From the playhead to the next segment";
 constexpr std::string_view kOverSelection = "Over the selected time";
 
-constexpr std::array<RowData, 36> kModifyRows{{
+constexpr std::array<RowData, 37> kModifyRows{{
     form_row<demonstration::Trim>("modify.trim", "Trim…", "", icon::kCut),
     form_row<demonstration::TrimIdle>("modify.trim_idle", "Trim idle…"),
     form_row<demonstration::DeleteSpan>("modify.delete", "Delete…", "", icon::kTrash),
     form_row<demonstration::Splice>("modify.splice", "Splice…", "", icon::kPaste),
+    form_row<demonstration::Overdub>("modify.overdub", "Overdub…"),
     form_row<demonstration::Bridge>("modify.bridge", "Bridge…", "Ctrl+B", icon::kRoad, true),
     form_row<demonstration::MoveTool>("modify.move", "Move tool…", "", icon::kArrows),
     form_row<demonstration::RotateTool>("modify.rotate", "Turn tool…", "", icon::kRefresh),

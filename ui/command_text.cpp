@@ -22,6 +22,9 @@ std::string ids(const std::vector<DemonstrationId>& list) {
 struct EditText {
   std::string project;
   std::string operator()(const AddDemonstration&) const { return ""; }
+  std::string operator()(const PunchIn&) const { return ""; }
+  // The window copies one at a time.
+  std::string operator()(const CopyDemonstrations&) const { return ""; }
   std::string operator()(const ImportDemonstrations&) const { return ""; }
   std::string operator()(const AddModel&) const { return ""; }
   std::string operator()(const CopyDemonstration& edit) const {
@@ -68,7 +71,8 @@ struct EditText {
     return text;
   }
   std::string stack(DemonstrationId demonstration, std::int64_t entry, const std::string& change) const {
-    return fmt::format("trocar demo stack {} {} {} {}", project, demonstration.value, entry, change);
+    return fmt::format("trocar demo stack {} {} {} {}", project, demonstration.value, demonstration::entry_words(entry),
+                       change);
   }
   std::string operator()(const MoveStackEntry& edit) const {
     return stack(edit.demonstration, edit.entry, fmt::format("move {}", edit.place + 1));
@@ -77,7 +81,7 @@ struct EditText {
     return stack(edit.demonstration, edit.entry, edit.enabled ? "enable" : "disable");
   }
   std::string operator()(const ReplaceStackEntry& edit) const {
-    return stack(edit.demonstration, edit.entry, "change " + words(edit.edit));
+    return stack(edit.demonstration, edit.entry, "change -- " + words(edit.edit));
   }
   std::string operator()(const NameStackEntry& edit) const {
     return stack(edit.demonstration, edit.entry, "name " + shell_word(edit.name));

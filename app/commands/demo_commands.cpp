@@ -81,8 +81,10 @@ Json demonstration_json(const demonstration::Demonstration& document) {
           {"rate_hz", duration_s > 0.0 ? static_cast<double>(samples - 1) / duration_s : 0.0},
           {"segments", segments},
           {"path_length_m", demonstration::path_length_m(document, 0)},
-          {"outcome", demonstration::to_string(recording.outcome)},
-          {"placed", recording.placed},
+          {"outcome", demonstration::to_string(document.outcome())},
+          {"placed", document.placed()},
+          {"edited_since", document.motion_edited()},
+          {"recorded_outcome", demonstration::to_string(recording.outcome)},
           {"recovered", recording.recovered},
           {"hash", hash_text(document.hash())},
           {"provenance", provenance_json(recording.provenance)}};

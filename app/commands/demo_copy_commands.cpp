@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <set>
+
 #include "app/commands/demo_commands.h"
 #include "engine/demonstration/edits.h"
 
@@ -59,25 +61,42 @@ Result<Answer> run_split(const CopyArguments& arguments, Console& console) {
   return answer;
 }
 
+/// "Careful", "Careful 2" …, or the first like it that neither the project nor another copy has; "" if none was given.
+std::string name_of_copy(const workbench::Project& project, const std::string& stem, int nth,
+                         std::set<std::string>& taken, Console& console) {
+  if (stem.empty()) return "";
+  for (int number = nth + 1;; ++number) {
+    std::string name =
+        free_demonstration_name(project, number == 1 ? stem : fmt::format("{} {}", stem, number), console);
+    if (taken.insert(name).second) return name;
+  }
+}
+
 Result<Answer> run_copy(const CopyArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto source, find_demonstration(*file.project(), arguments.demonstration));
-  Answer answer;
-  answer.json["copies"] = Json::array();
+  workbench::CopyDemonstrations several;
+  std::set<std::string> names;
   for (int nth = 0; nth < arguments.copies; ++nth) {
-    TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
-    const std::string wanted =
-        nth == 0 || arguments.name.empty() ? arguments.name : fmt::format("{} {}", arguments.name, nth + 1);
-    const std::string name = wanted.empty() ? "" : free_demonstration_name(*file.project(), wanted, console);
-    workbench::CopyDemonstration copy{source->id, name, {}};
+    workbench::CopyDemonstration copy{
+        source->id, name_of_copy(*file.project(), arguments.name, nth, names, console), {}};
     if (arguments.perturb_mm > 0.0) {
       copy.edits.emplace_back(demonstration::Perturb{1e-3 * arguments.perturb_mm, arguments.period_s,
                                                      arguments.seed + static_cast<std::uint64_t>(nth)});
     }
-    TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(copy));
+    several.copies.push_back(std::move(copy));
+  }
+  TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
+  // One step of the history, however many.
+  const workbench::Edit edit =
+      arguments.copies == 1 ? workbench::Edit(several.copies.front()) : workbench::Edit(std::move(several));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t last, file.commit(edit));
+  Answer answer;
+  answer.json["copies"] = Json::array();
+  for (std::int64_t id = last - arguments.copies + 1; id <= last; ++id) {
     const auto made = file.project()->demonstrations.at(workbench::DemonstrationId{id});
     answer.json["copies"].push_back(one_json(*made));
-    answer.text += fmt::format("{}{:>4}  {}", nth == 0 ? "" : "\n", id, made->name);
+    answer.text += fmt::format("{}{:>4}  {}", answer.text.empty() ? "" : "\n", id, made->name);
   }
   answer.summary = fmt::format(
       "{} of {}", arguments.copies == 1 ? "1 copy" : fmt::format("{} copies", arguments.copies), source->name);

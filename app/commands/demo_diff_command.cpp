@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "app/commands/demo_commands.h"
 #include "engine/spatial/units.h"
 #include "engine/workbench/comparing.h"
@@ -55,8 +57,12 @@ Json deviation_json(const demonstration::Deviation& deviation) {
           {"share_95_mm", to_mm(deviation.share_95_m)}};
 }
 
-Json side_json(double duration_s, const std::array<double, 2>& path_m, const std::array<double, 2>& jerk_m_s3) {
-  return {{"duration_s", duration_s}, {"path_length_m", path_m}, {"mean_jerk_m_s3", jerk_m_s3}};
+using MeanJerks = std::array<std::optional<double>, 2>;
+
+Json side_json(double duration_s, const std::array<double, 2>& path_m, const MeanJerks& jerk_m_s3) {
+  Json jerks = Json::array();
+  for (const std::optional<double>& jerk : jerk_m_s3) jerks.push_back(jerk ? Json(*jerk) : Json());
+  return {{"duration_s", duration_s}, {"path_length_m", path_m}, {"mean_jerk_m_s3", std::move(jerks)}};
 }
 
 Json json_of(const Comparison& comparison, const DiffArguments& arguments, std::int64_t id) {
@@ -81,6 +87,10 @@ Json json_of(const Comparison& comparison, const DiffArguments& arguments, std::
           {"labels", comparison.labels}};
 }
 
+std::string jerk_words(const std::optional<double>& jerk_m_s3) {
+  return jerk_m_s3 ? fmt::format("{:.2f} m/s³", *jerk_m_s3) : "unknown";
+}
+
 std::string details(const Comparison& comparison) {
   std::string text;
   constexpr std::array<const char*, 2> kArms{"left", "right"};
@@ -88,10 +98,10 @@ std::string details(const Comparison& comparison) {
     const demonstration::Deviation& deviation = comparison.deviation[arm];
     text += fmt::format(
         "\n  {:<5} deviates by at most {:.2f} mm, {:.2f} mm on average, 95 % by less than {:.2f} mm; its path was "
-        "{:.1f} mm, is {:.1f} mm; its mean jerk was {:.2f} m/s³, is {:.2f} m/s³",
+        "{:.1f} mm, is {:.1f} mm; its mean jerk was {}, is {}",
         kArms[arm], to_mm(deviation.max_m), to_mm(deviation.mean_m), to_mm(deviation.share_95_m),
-        to_mm(comparison.path_before_m[arm]), to_mm(comparison.path_after_m[arm]), comparison.jerk_before_m_s3[arm],
-        comparison.jerk_after_m_s3[arm]);
+        to_mm(comparison.path_before_m[arm]), to_mm(comparison.path_after_m[arm]),
+        jerk_words(comparison.jerk_before_m_s3[arm]), jerk_words(comparison.jerk_after_m_s3[arm]));
   }
   text += fmt::format("\n  cells of the lattice: {} lost, {} gained", comparison.cells_lost, comparison.cells_gained);
   for (const std::string& clause : comparison.labels) text += "\n  " + clause;

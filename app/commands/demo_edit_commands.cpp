@@ -12,6 +12,7 @@
 #include "engine/demonstration/edit_words.h"
 #include "engine/demonstration/join.h"
 #include "engine/demonstration/quality.h"
+#include "engine/demonstration/snap_figures.h"
 
 namespace trocar::app {
 namespace {
@@ -47,6 +48,23 @@ Status check_rename(const workbench::Project& project, demonstration::Demonstrat
   return {};
 }
 
+Status tell_snap(const demonstration::Edit& edit, const demonstration::Demonstration& before, Answer& answer) {
+  const auto* snap = std::get_if<demonstration::SnapToGrid>(&edit);
+  if (snap == nullptr) return {};
+  TROCAR_ASSIGN_OR_RETURN(const auto figures, demonstration::snap_figures(before, *snap));
+  answer.json["snap"] = Json::array();
+  for (const demonstration::SnapFigures& one : figures) {
+    answer.json["snap"].push_back({{"arm", one.arm == 0 ? "left" : "right"},
+                                   {"actions", one.actions},
+                                   {"max_error_mm", 1e3 * one.max_error_m},
+                                   {"mean_error_mm", 1e3 * one.mean_error_m},
+                                   {"skipped_cells", one.skipped_cells},
+                                   {"repeated_cells", one.repeated_cells}});
+    answer.text += "\n  " + demonstration::sentence_of(one);
+  }
+  return {};
+}
+
 /// Nothing if there is nothing to change.
 using EditMaker = std::function<Result<std::optional<demonstration::Edit>>(const demonstration::Demonstration&,
                                                                            const workbench::Project&)>;
@@ -77,6 +95,7 @@ Result<Answer> commit(const Target& target, Console& console, Models models, con
   }
   answer.summary = description;
   answer.text = fmt::format("Edit {}: {}", id, description);
+  TROCAR_RETURN_IF_ERROR(tell_snap(*edit, *before, answer));
   if (!joins.empty()) answer.text += "; " + demonstration::sentence_of(joins);
   return answer;
 }
@@ -206,13 +225,17 @@ struct OptionMaker {
 
 struct StackArguments {
   Target target;
-  std::int64_t entry = 0;
+  std::string entry;  ///< "12", or "12.3" of a step that made several.
   std::string change;
   std::vector<std::string> words;
 };
 
 Result<workbench::Edit> stack_edit(const StackArguments& arguments, demonstration::DemonstrationId id) {
-  const std::int64_t entry = arguments.entry;
+  const std::optional<std::int64_t> named = demonstration::entry_from(arguments.entry);
+  if (!named) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" is no id of an edit", arguments.entry));
+  }
+  const std::int64_t entry = *named;
   const std::size_t words = arguments.words.size();
   if (arguments.change == "enable" && words == 0) return workbench::EnableStackEntry{id, entry, true};
   if (arguments.change == "disable" && words == 0) return workbench::EnableStackEntry{id, entry, false};
@@ -232,16 +255,18 @@ Result<workbench::Edit> stack_edit(const StackArguments& arguments, demonstratio
     return workbench::ReplaceStackEntry{id, entry, std::move(edit)};
   }
   return fail(ErrorCode::kInvalidArgument,
-              "the change of an edit is enable, disable, remove, name NAME, move PLACE or change EDIT PARAMETERS");
+              "the change of an edit is enable, disable, remove, name NAME, move PLACE or change -- EDIT PARAMETERS");
 }
 
 Json stack_json(const demonstration::Demonstration& document) {
   Json list = Json::array();
   for (const demonstration::StackEntry& entry : *document.stack) {
     list.push_back({{"id", entry.id},
+                    {"entry", demonstration::entry_words(entry.id)},
                     {"edit", std::string(demonstration::name_of(*entry.edit))},
                     {"words", demonstration::to_words(*entry.edit)},
                     {"enabled", entry.enabled},
+                    {"conflict", entry.conflict.empty() ? Json() : Json(entry.conflict)},
                     {"name", entry.name}});
   }
   return list;
@@ -250,9 +275,11 @@ Json stack_json(const demonstration::Demonstration& document) {
 std::string stack_text(const demonstration::Demonstration& document) {
   std::string text;
   for (const demonstration::StackEntry& entry : *document.stack) {
+    const char* applied = !entry.enabled ? "off" : entry.conflict.empty() ? "on" : "conflict";
     text +=
-        fmt::format("{}{:>4}  {:<4} {}{}", text.empty() ? "" : "\n", entry.id, entry.enabled ? "on" : "off",
+        fmt::format("{}{:>6}  {:<8} {}{}", text.empty() ? "" : "\n", demonstration::entry_words(entry.id), applied,
                     entry.name.empty() ? "" : entry.name + ": ", fmt::join(demonstration::to_words(*entry.edit), " "));
+    if (!entry.conflict.empty()) text += fmt::format("\n{:16}passed over: {}", "", entry.conflict);
   }
   return text.empty() ? "no edits" : text;
 }
@@ -277,6 +304,10 @@ Result<Answer> run_stack(const StackArguments& arguments, Console& console) {
   answer.json["stack"] = stack_json(*after);
   answer.text = stack_text(*after);
   if (answer.summary.empty()) answer.summary = fmt::format("{} edits", after->stack->size());
+  const auto conflicts = std::count_if(after->stack->begin(), after->stack->end(),
+                                       [](const auto& entry) { return !entry.conflict.empty(); });
+  answer.json["conflicts"] = conflicts;
+  if (conflicts > 0) answer.summary += fmt::format("; {} passed over", counted(conflicts, "conflict"));
   return answer;
 }
 
@@ -330,7 +361,7 @@ void add_demo_edit_commands(CLI::App& noun, Action& chosen) {
         bind_target(verb, a.target);
         verb.add_option("EDIT", a.entry, "The id of an edit, from the list");
         verb.add_option("CHANGE", a.change, "enable, disable, remove, name, move or change");
-        verb.add_option("WORDS", a.words, "The name, the place, or the edit with all its parameters");
+        verb.add_option("WORDS", a.words, "The name, the place, or behind -- the edit with all its parameters");
         verb.prefix_command();
       },
       run_stack);

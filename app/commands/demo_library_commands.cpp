@@ -56,9 +56,10 @@ Json row_json(const LibraryRow& row, const demonstration::Demonstration& documen
   const workbench::Measures& measures = *row.measures;
   json["arms"] = cell_json(workbench::find_library_column("arms")->cell(row));
   json["path_lengths_m"] = measures.path_length_m;
-  json["mean_jerk_m_s3"] = measures.mean_jerk_m_s3;
-  json["peak_jerk_m_s3"] = measures.peak_jerk_m_s3;
-  json["idle_share"] = measures.idle_share;
+  const auto told = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+  json["mean_jerk_m_s3"] = told(measures.mean_jerk_m_s3);
+  json["peak_jerk_m_s3"] = told(measures.peak_jerk_m_s3);
+  json["idle_share"] = told(measures.idle_share);
   json["clearance_m"] = measures.clearance_m ? Json(*measures.clearance_m) : Json();
   json["grid_error_m"] = measures.grid_error_m ? Json(*measures.grid_error_m) : Json();
   json["odd"] = row.oddity ? Json(row.oddity->deviations) : Json();

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "app/commands/demo_commands.h"
 #include "engine/core/file.h"
+#include "engine/demonstration/edit_fields.h"
 #include "engine/trial/key_script.h"
 #include "engine/trial/transfer_session.h"
 #include "engine/workbench/jobs/record_job.h"
@@ -21,8 +23,9 @@ struct RecordArguments {
   std::string script;
   std::string mode = "continuous";
   std::string left = "hand";
-  std::string right = "scripted";
+  std::string right;  ///< "": scripted, and in a part that is replaced it goes on as it is.
   std::string replay;
+  double time_limit_s = 0.0;  ///< 0: as the operator has it.
   double from_s = -1.0;
   double to_s = -1.0;
 };
@@ -46,9 +49,9 @@ void bind_keys(CLI::App& verb, RecordArguments& arguments) {
   verb.add_option("--left", arguments.left, "Who drives the left arm: hand, scripted, replay or still; operator keys")
       ->check(CLI::IsMember(kSources))
       ->capture_default_str();
-  verb.add_option("--right", arguments.right, "Who drives the right arm, likewise; operator keys")
-      ->check(CLI::IsMember(kSources))
-      ->capture_default_str();
+  verb.add_option("--right", arguments.right,
+                  "Who drives the right arm, likewise: scripted if nobody says, and replay where a part is replaced")
+      ->check(CLI::IsMember(kSources));
   verb.add_option("--replay", arguments.replay, "The demonstration whose arm is replayed, or part replaced");
   verb.add_option("--from", arguments.from_s, "Seconds: replace what is from here …; with --replay")
       ->check(CLI::NonNegativeNumber);
@@ -68,41 +71,70 @@ void bind_record(CLI::App& verb, RecordArguments& arguments) {
       ->check(CLI::Range(0, 5))
       ->capture_default_str();
   verb.add_option("--goal", arguments.options.goal, "Goal peg")->check(CLI::Range(0, 5))->capture_default_str();
-  verb.add_option("--time-limit", arguments.options.time_limit_s, "Seconds until the trial is stopped")
-      ->check(CLI::Range(1.0, 3600.0))
-      ->capture_default_str();
+  verb.add_option("--time-limit", arguments.time_limit_s,
+                  "Seconds until the trial is stopped: 120 if nobody says, and with operator keys when the script ends")
+      ->check(CLI::Range(1.0, 3600.0));
   verb.add_option("--name", arguments.name, "Name (else made from the skill)");
   bind_keys(verb, arguments);
 }
 
+Json take_json(const workbench::RecordReport& report) {
+  return {{"id", report.take.value},         {"name", report.name},
+          {"duration_s", report.duration_s}, {"samples", report.samples},
+          {"placed", report.placed},         {"outcome", demonstration::to_string(report.outcome)}};
+}
+
+/// What a take replaced of another demonstration: that is what is told of, and the take beside it.
+void tell_replaced(const workbench::RecordReport& report, const demonstration::Demonstration& into, Answer& answer) {
+  const workbench::TakeTarget& target = *report.replaced;
+  const auto arms = demonstration::words_of<demonstration::Arms>()[static_cast<std::size_t>(target.arms)];
+  const double from_s = target.span.begin_s;
+  answer.json["replaced"] = {
+      {"from_s", from_s}, {"to_s", from_s + report.duration_s}, {"wanted_to_s", target.span.end_s}, {"arms", arms}};
+  answer.summary =
+      fmt::format("{:.2f}–{:.2f} s of {} replaced by \"{}\" ({})", from_s, from_s + report.duration_s,
+                  target.arms == demonstration::Arms::kBoth ? "both tools" : fmt::format("the {} tool", arms),
+                  report.name, report.take.value);
+  if (from_s + report.duration_s < target.span.end_s - demonstration::kTicksPerSample * 2e-3) {
+    answer.summary += fmt::format("; it ended before {:.2f} s, and what was there goes on", target.span.end_s);
+  }
+  answer.summary += fmt::format("; {:.2f} s long as before, how it ends now is {}", into.duration_s(),
+                                demonstration::to_string(into.outcome()));
+}
+
 Answer answer_of(const workbench::ProjectFile& file, const workbench::RecordReport& report, double seconds) {
+  const demonstration::Demonstration& shown = *file.project()->demonstrations.at(report.id);
   Answer answer;
-  answer.json = demonstration_json(*file.project()->demonstrations.at(report.id));
-  answer.json["outcome"] = demonstration::to_string(report.outcome);
-  answer.json["duration_s"] = report.duration_s;
-  answer.json["samples"] = report.samples;
-  answer.json["placed"] = report.placed;
+  answer.json = demonstration_json(shown);
+  answer.json["take"] = take_json(report);
   answer.json["seconds"] = seconds;
   answer.json["realtime_factor"] = seconds > 0.0 ? report.duration_s / seconds : 0.0;
-  answer.summary = fmt::format("{}, {}, {:.2f} s, {} samples, {:.0f} × real time",
-                               demonstration::to_string(report.outcome), report.placed ? "placed" : "not placed",
-                               report.duration_s, report.samples, report.duration_s / std::max(seconds, 1e-9));
-  answer.text = fmt::format("Demonstration {} ({}): {}", report.id.value,
-                            file.project()->demonstrations.at(report.id)->name, answer.summary);
+  if (report.replaced) {
+    tell_replaced(report, shown, answer);
+  } else {
+    answer.json["duration_s"] = report.duration_s;
+    answer.json["samples"] = report.samples;
+    answer.summary = fmt::format("{}, {}, {:.2f} s, {} samples, {:.0f} × real time",
+                                 demonstration::to_string(report.outcome), report.placed ? "placed" : "not placed",
+                                 report.duration_s, report.samples, report.duration_s / std::max(seconds, 1e-9));
+  }
+  answer.text = fmt::format("Demonstration {} ({}): {}", report.id.value, shown.name, answer.summary);
   return answer;
 }
 
 Result<workbench::RecordByHand> take_of(const RecordArguments& arguments, const workbench::Project& project) {
   workbench::RecordByHand request;
-  request.options.sources = {kSources.at(arguments.left), kSources.at(arguments.right)};
+  const bool punches = arguments.from_s >= 0.0 || arguments.to_s >= 0.0;
+  const std::string right = !arguments.right.empty() ? arguments.right : punches ? "replay" : "scripted";
+  request.options.sources = {kSources.at(arguments.left), kSources.at(right)};
   request.options.mode = kModes.at(arguments.mode);
   TROCAR_ASSIGN_OR_RETURN(request.options.skill, trial::skill_from(arguments.skill));
   request.options.seed = arguments.options.seed;
   request.options.block = arguments.options.block;
   request.options.goal = arguments.options.goal;
-  request.options.time_limit_s = 3600.0;  // the script has an end
+  constexpr double kLongest_s = 3600.0;  // the script has an end
+  request.options.time_limit_s = arguments.time_limit_s > 0.0 ? arguments.time_limit_s : kLongest_s;
   request.options.countdown_s = 0.0;
-  const bool punches = arguments.from_s >= 0.0 || arguments.to_s >= 0.0;
   if (punches && (arguments.from_s < 0.0 || arguments.to_s <= arguments.from_s || arguments.replay.empty())) {
     return fail(ErrorCode::kInvalidArgument, "to replace a part, say which: --replay DEMO --from S --to S");
   }
@@ -142,6 +174,7 @@ Result<Answer> run_record(const RecordArguments& arguments, Console& console) {
     return fail(ErrorCode::kInvalidArgument, "--mode, --left, --right and --replay go with --operator keys");
   }
   trial::TransferOptions options = arguments.options;
+  if (arguments.time_limit_s > 0.0) options.time_limit_s = arguments.time_limit_s;
   TROCAR_ASSIGN_OR_RETURN(options.skill, trial::skill_from(arguments.skill));
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kDescribed));
   const std::string name = arguments.name.empty() ? workbench::demonstration_name(*file.project(), options.skill)

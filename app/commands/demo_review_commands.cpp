@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "app/commands/demo_commands.h"
+#include "engine/demonstration/edit_sentence.h"
 #include "engine/review/fixes.h"
 #include "engine/review/resimulation.h"
 #include "engine/review/review.h"
+#include "engine/workbench/batch.h"
 #include "engine/workbench/review_goals.h"
 
 namespace trocar::app {
@@ -26,7 +28,7 @@ struct CheckArguments {
 void bind_check(CLI::App& verb, CheckArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("DEMO", arguments.demonstration, "Its id or name")->required();
-  verb.add_option("--fix", arguments.fix, "Make the quick fix of a problem, by its id, or `all`; each can be undone");
+  verb.add_option("--fix", arguments.fix, "Make the quick fix of a problem, by its id, or `all`; one step to undo");
   verb.add_option("--model", arguments.model, "Hold it to the safe set and the goal of this model too");
   verb.add_option("--clearance-mm", arguments.clearance_mm, "Passing nearer than this is a warning")
       ->check(CLI::Range(0.0, 20.0))
@@ -73,20 +75,29 @@ Result<std::vector<demonstration::Edit>> chosen_fixes(const demonstration::Demon
   return std::vector<demonstration::Edit>{std::move(edit)};
 }
 
-/// One step of the history each.
+/// One step of the history, of which each fix is an entry of the stack.
 Status make_fixes(workbench::ProjectFile& file, demonstration::DemonstrationId id, const std::string& fix,
                   const review::ReviewOptions& options, Answer& answer) {
   const auto before = file.project()->demonstrations.at(id);
   TROCAR_ASSIGN_OR_RETURN(const auto edits, chosen_fixes(*before, fix, options));
   answer.json["fixed"] = Json::array();
-  for (const demonstration::Edit& edit : edits) {
-    const workbench::Edit whole = workbench::EditDemonstration{id, edit};
-    const std::string description = workbench::describe(whole, *file.project());
-    TROCAR_ASSIGN_OR_RETURN(const std::int64_t node, file.commit(whole));
-    answer.json["fixed"].push_back({{"id", node}, {"description", description}, {"fix", review::words_of_fix(edit)}});
-    answer.text += fmt::format("Edit {}: {}\n", node, description);
+  if (edits.empty()) {
+    answer.text += "No fix helps\n";
+    return {};
   }
-  if (edits.empty()) answer.text += "No fix helps\n";
+  const workbench::Edit whole =
+      fix == "all" ? workbench::Edit(workbench::mending(*before, edits)) : workbench::EditDemonstration{id, edits[0]};
+  const std::string step = workbench::describe(whole, *file.project());
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t node, file.commit(whole));
+  answer.json["step"] = node;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const std::int64_t entry = demonstration::entry_id(node, i);
+    const std::string description = demonstration::sentence(edits[i], before->name);
+    answer.json["fixed"].push_back(
+        {{"id", entry}, {"description", description}, {"fix", review::words_of_fix(edits[i])}});
+    answer.text += fmt::format("Edit {}: {}\n", demonstration::entry_words(entry), description);
+  }
+  if (fix == "all") answer.text += fmt::format("Step {} of the history: {}\n", node, step);
   return {};
 }
 

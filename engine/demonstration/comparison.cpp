@@ -69,6 +69,16 @@ std::string row(const std::string& what, double before, double after, const std:
                      after - before, digits);
 }
 
+/// "–" for what cannot be told.
+std::string row(const std::string& what, std::optional<double> before, std::optional<double> after,
+                const std::string& unit, int digits) {
+  if (before && after) return row(what, *before, *after, unit, digits);
+  const auto told = [digits](std::optional<double> value) {
+    return value ? fmt::format("{:.{}f}", *value, digits) : std::string("–");
+  };
+  return fmt::format("| {}, {} | {} | {} | – |\n", what, unit, told(before), told(after));
+}
+
 std::string deviation_row(const std::string& what, const Deviation& deviation) {
   return fmt::format("| {} | {:.3f} | {:.3f} | {:.3f} |\n", what, spatial::to_mm(deviation.max_m),
                      spatial::to_mm(deviation.mean_m), spatial::to_mm(deviation.share_95_m));

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,8 +60,8 @@ struct Comparison {
   double after_s = 0.0;
   std::array<double, 2> path_before_m{};
   std::array<double, 2> path_after_m{};
-  std::array<double, 2> jerk_before_m_s3{};  ///< Mean magnitudes.
-  std::array<double, 2> jerk_after_m_s3{};
+  std::array<std::optional<double>, 2> jerk_before_m_s3{};  ///< Mean magnitudes; none where they cannot be told.
+  std::array<std::optional<double>, 2> jerk_after_m_s3{};
   int cells_lost = 0;  ///< Of the lattice: the left tool was there in `before` only.
   int cells_gained = 0;
   std::vector<std::string> labels;  ///< As `label_differences`.

@@ -75,7 +75,7 @@ Result<CurveKind> curve_kind_from(std::string_view text) {
 
 MotionCurve curve_of(const SampleTrack& samples, std::int64_t first_tick, CurveKind kind, std::size_t arm) {
   TROCAR_CHECK(kind != CurveKind::kClearance);
-  CurveWriter writer(kMotionGap_s);
+  CurveWriter writer(motion_gap_s(samples));
   if (is_motion(kind)) {
     for (const MotionPoint& point : motion_of(samples, first_tick, arm)) writer.add(point.t_s, value_of(point, kind));
     return writer.take();

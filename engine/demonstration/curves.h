@@ -25,7 +25,7 @@ Result<CurveKind> curve_kind_from(std::string_view text);
 /// "m", "m/s", "m/s^2", "m/s^3", "rad", "m".
 std::string_view si_unit(CurveKind kind);
 
-/// Values in SI at times of the demonstration; NaN between neighbours that are apart (`kMotionGap_s`).
+/// Values in SI at times of the demonstration; NaN between neighbours that are apart (`motion_gap_s`).
 struct MotionCurve {
   std::vector<double> t_s;
   std::vector<double> values;

@@ -91,6 +91,10 @@ std::uint64_t Demonstration::hash() const {
   return hasher.digest();
 }
 
+bool Demonstration::motion_edited() const {
+  return !samples.same_pieces(recorded) && samples.hash() != recorded.hash();
+}
+
 Demonstration original_of(const Demonstration& document) {
   Demonstration original;
   original.id = document.id;

@@ -77,6 +77,11 @@ struct Demonstration {
   SampleTrack samples_in(const SegmentSpan& span) const;
   /// Of everything but the id and the name (samples, gates, labels): the version that a model was trained on.
   std::uint64_t hash() const;
+  /// True if edits changed, moved, added or took out samples; gates, labels and notes change none.
+  bool motion_edited() const;
+  /// How the transfer ended: as it was recorded; unknown once the motion is another. Re-simulation tells then.
+  Outcome outcome() const { return motion_edited() ? Outcome::kUnknown : recording->outcome; }
+  bool placed() const { return recording->placed && !motion_edited(); }
 };
 
 /// The demonstration as it was recorded, with its id and name.

@@ -35,6 +35,7 @@ struct TrimIdle {
   double keep_s = 0.1;       ///< What stays of each.
   bool ends = true;
   bool inside = false;
+  double window_s = 0.0;  ///< Speeds are measured over so long before and after; 0: as the rate of the samples allows.
 };
 
 struct Rename {
@@ -87,6 +88,21 @@ struct Splice {
 
 enum class Arms : std::uint8_t { kLeft, kRight, kBoth };
 
+/// Arms do what a run of this or of another demonstration has them do, and the blocks with them. Nothing moves in time:
+/// the other arm, labels, gates and all else stay; what would lie beyond the end is left out.
+struct Overdub {
+  static constexpr std::string_view kName = "overdub";
+  static constexpr std::string_view kHelp = "Replace what an arm does by what it does elsewhere; nothing else moves";
+  std::int64_t source = 0;   ///< The demonstration that it is taken from.
+  double clip_from_s = 0.0;  ///< Times of the source.
+  double clip_to_s = 0.0;
+  double at_s = 0.0;
+  Arms arms = Arms::kLeft;
+  double ease_s = 0.5;     ///< After it, the arms come back to what they did within this time; 0: they jump.
+  std::int64_t as_of = 0;  ///< As of a splice.
+  std::shared_ptr<const Clip> clip;
+};
+
 /// Straight on or with minimum jerk; as the learned policy of a model goes; or up, over everything on the board, and
 /// down again, each with minimum jerk.
 enum class BridgeShape : std::uint8_t { kStraight, kMinimumJerk, kPolicy, kOver };
@@ -103,6 +119,7 @@ struct Bridge {
   /// p_WT that the left (or only) arm passes. Of a policy: its way, which the workbench finds when the edit is made.
   std::vector<Eigen::Vector3d> via_m;
   std::int64_t model = 0;  ///< Whose policy; 0: the newest of the segment at the begin.
+  double rate_hz = 0.0;    ///< Of the new samples; 0: as on either side of the bridge.
 };
 
 /// How a displacement fades with the time from its middle, from 1 to 0.
@@ -187,6 +204,7 @@ struct SnapToGrid {
   double to_s = 0.0;
   Arms arms = Arms::kLeft;
   bool keep_offset = false;  ///< The first sample stays where it is within its cell.
+  bool keep_snapped = true;  ///< A span that lies on the lattice already stays as it is.
 };
 
 /// Opens or closes a gripper.
@@ -246,9 +264,9 @@ struct RemoveNote {
   std::int64_t note = 0;
 };
 
-using Edit = std::variant<Trim, TrimIdle, Rename, LabelSegment, ProposeLabels, DeleteSpan, Splice, Bridge, MoveTool,
-                          RotateTool, Offset, Smooth, Simplify, Resample, Retime, SnapToGrid, SetJaw, Mirror, Retarget,
-                          Perturb, Revert, AddNote, RemoveNote>;
+using Edit = std::variant<Trim, TrimIdle, Rename, LabelSegment, ProposeLabels, DeleteSpan, Splice, Overdub, Bridge,
+                          MoveTool, RotateTool, Offset, Smooth, Simplify, Resample, Retime, SnapToGrid, SetJaw, Mirror,
+                          Retarget, Perturb, Revert, AddNote, RemoveNote>;
 
 /// The edit's name and its parameters as a JSON object; the row of the journal.
 std::string_view name_of(const Edit& edit);

@@ -16,8 +16,32 @@ struct Field {
   const char* key;
   const char* help;
   bool positional = false;  ///< On a command line its value stands alone, before the options.
-  bool younger = false;     ///< Journals may be without it; then it has its default.
+  bool younger = false;     ///< Journals may be without it; then it is as in `without_younger`.
 };
+
+/// The edit as a journal means it that says nothing of its younger parameters: what it did before they were there.
+template <typename Edited>
+Edited without_younger() {
+  return {};
+}
+template <>
+inline TrimIdle without_younger<TrimIdle>() {
+  TrimIdle edit;
+  edit.window_s = 0.15;
+  return edit;
+}
+template <>
+inline Bridge without_younger<Bridge>() {
+  Bridge edit;
+  edit.rate_hz = kSampleRate_hz;
+  return edit;
+}
+template <>
+inline SnapToGrid without_younger<SnapToGrid>() {
+  SnapToGrid edit;
+  edit.keep_snapped = false;
+  return edit;
+}
 
 /// The words for the values of an enumeration, by its number.
 template <typename Enum>
@@ -65,6 +89,8 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"keep_s", "What stays of each pause"}, edit.keep_s);
   visitor.field(Field{"ends", "Trim the ends"}, edit.ends);
   visitor.field(Field{"inside", "Cut pauses inside too"}, edit.inside);
+  visitor.field(Field{"window_s", "Speeds are measured over so long before and after; 0: by the rate", false, true},
+                edit.window_s);
 }
 template <typename Visitor, Of<Rename> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
@@ -94,6 +120,16 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"align", "Where the arms go"}, edit.align);
   visitor.field(Field{"as_of", "The point of the history at which the source is meant; 0: now"}, edit.as_of);
 }
+template <typename Visitor, Of<Overdub> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"source", "The demonstration to take it from"}, edit.source);
+  visitor.field(Field{"clip_from_s", "Where it begins there"}, edit.clip_from_s);
+  visitor.field(Field{"clip_to_s", "Where it ends there"}, edit.clip_to_s);
+  visitor.field(Field{"at_s", "Where it goes"}, edit.at_s);
+  visitor.field(Field{"arms", "Whose motion is replaced"}, edit.arms);
+  visitor.field(Field{"ease_s", "After it, back to the old motion within this time; 0: at once"}, edit.ease_s);
+  visitor.field(Field{"as_of", "The point of the history at which the source is meant; 0: now"}, edit.as_of);
+}
 template <typename Visitor, Of<Bridge> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"from_s", "Begin"}, edit.from_s);
@@ -103,6 +139,7 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"peak_speed_m_s", "Sets the duration; 0: as it is"}, edit.peak_speed_m_s);
   visitor.field(Field{"via_m", "Points to pass"}, edit.via_m);
   visitor.field(Field{"model", "Whose policy; 0: the newest of the segment", false, true}, edit.model);
+  visitor.field(Field{"rate_hz", "Of the new samples; 0: as on either side", false, true}, edit.rate_hz);
 }
 template <typename Visitor, Of<MoveTool> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
@@ -162,6 +199,7 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"to_s", "End"}, edit.to_s);
   visitor.field(Field{"arms", "Which arm"}, edit.arms);
   visitor.field(Field{"keep_offset", "Keep the place within the cell"}, edit.keep_offset);
+  visitor.field(Field{"keep_snapped", "Leave what lies on the lattice already", false, true}, edit.keep_snapped);
 }
 template <typename Visitor, Of<SetJaw> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {

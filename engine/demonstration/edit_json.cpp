@@ -136,7 +136,7 @@ class Reader {
 
 template <typename Edited>
 Result<Edit> read(const json& object) {
-  Edited edit;
+  auto edit = without_younger<Edited>();
   Reader reader(object);
   visit_fields(reader, edit);
   TROCAR_RETURN_IF_ERROR(reader.done());

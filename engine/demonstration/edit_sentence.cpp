@@ -39,6 +39,10 @@ struct Teller {
     return fmt::format("Put {} of demonstration {} into {} at {:.2f} s", span(e.clip_from_s, e.clip_to_s), e.source,
                        name, e.at_s);
   }
+  std::string operator()(const Overdub& e) const {
+    return fmt::format("Replace {} by {} of demonstration {} from {:.2f} s", tools(e.arms, name),
+                       span(e.clip_from_s, e.clip_to_s), e.source, e.at_s);
+  }
   std::string operator()(const Bridge& e) const {
     return fmt::format("Bridge {} of {}, {}", span(e.from_s, e.to_s), tools(e.arms, name),
                        words_of<BridgeShape>()[static_cast<std::size_t>(e.shape)]);

@@ -37,6 +37,11 @@ struct EffectOf {
     if (edit.clip) after_s = Tick{edit.clip->samples.tick(edit.clip->samples.size() - 1)}.seconds() + kSample_s;
     return Effect{edit.at_s, end_s, after_s};
   }
+  std::optional<Effect> operator()(const Overdub& edit) const {
+    double span_s = edit.clip_to_s - edit.clip_from_s;
+    if (edit.clip) span_s = Tick{edit.clip->samples.tick(edit.clip->samples.size() - 1)}.seconds() + kSample_s;
+    return Effect{edit.at_s, edit.at_s + span_s, span_s};
+  }
   std::optional<Effect> operator()(const Retime& edit) const {
     const double span_s = edit.to_s - edit.from_s;
     double after_s = span_s;
@@ -75,7 +80,7 @@ std::vector<EditSpan> edit_spans(const Demonstration& document) {
   const SampleTrack& recorded = document.recorded;
   double length_s = recorded.empty() ? 0.0 : Tick{recorded.tick(recorded.size() - 1) - recorded.tick(0)}.seconds();
   for (const StackEntry& entry : *document.stack) {
-    if (!entry.enabled || !stacks(*entry.edit)) continue;
+    if (!entry.enabled || !entry.conflict.empty() || !stacks(*entry.edit)) continue;
     const std::optional<Effect> effect = std::visit(EffectOf{length_s}, *entry.edit);
     if (!effect) continue;
     for (EditSpan& span : spans) {

@@ -15,7 +15,7 @@ struct EditSpan {
   double end_s = 0.0;  ///< Equal to the begin for what was taken out.
 };
 
-/// Of the edits that are switched on, in their order; none for those that move the gates.
+/// Of the edits that are applied, in their order; none for those that move the gates.
 /// How much longer or shorter a span became is what its edit says; where only carrying it out would tell (`retime` to
 /// a speed, `bridge` by a speed, pauses taken out by `trim-idle`), later spans are as if nothing had moved.
 std::vector<EditSpan> edit_spans(const Demonstration& document);

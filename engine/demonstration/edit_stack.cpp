@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 #include "engine/demonstration/edits.h"
@@ -26,21 +27,42 @@ Result<EditStack> changed(const EditStack& stack, std::int64_t entry, Change cha
 
 }  // namespace
 
-Result<Demonstration> with_stack(const Demonstration& document, EditStack stack) {
+Demonstration with_stack(const Demonstration& document, EditStack stack) {
   Demonstration made = original_of(document);
-  for (std::size_t i = 0; i < stack.size(); ++i) {
-    const StackEntry& entry = stack[i];
+  for (StackEntry& entry : stack) {
+    entry.conflict.clear();
     if (!entry.enabled) continue;
     Result<Demonstration> next = transformed(made, *entry.edit, entry.id);
-    if (!next) {
-      const std::string_view name = entry.name.empty() ? name_of(*entry.edit) : std::string_view(entry.name);
-      return fail(ErrorCode::kInvalidArgument,
-                  fmt::format("edit {} ({}) can then not be applied: {}", i + 1, name, next.error().text()));
+    if (next) {
+      made = std::move(*next);
+    } else {
+      entry.conflict = next.error().text();
     }
-    made = std::move(*next);
   }
   made.stack = std::make_shared<const EditStack>(std::move(stack));
   return made;
+}
+
+std::string entry_words(std::int64_t entry) {
+  const std::int64_t nth = entry >> 32;
+  const std::int64_t row = entry - (nth << 32);
+  return nth > 0 ? fmt::format("{}.{}", row, nth) : fmt::format("{}", entry);
+}
+
+std::optional<std::int64_t> entry_from(std::string_view words) {
+  const auto number = [](std::string_view digits) -> std::optional<std::int64_t> {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (digits.empty() || error != std::errc() || end != digits.data() + digits.size() || value < 0) return {};
+    return value;
+  };
+  const std::size_t dot = words.find('.');
+  const std::optional<std::int64_t> row = number(words.substr(0, dot));
+  if (!row || dot == std::string_view::npos) return row;
+  const std::optional<std::int64_t> nth = number(words.substr(dot + 1));
+  constexpr std::int64_t kMost = std::int64_t{1} << 30;
+  if (!nth || *nth > kMost || *row >= (std::int64_t{1} << 32)) return {};
+  return entry_id(*row, static_cast<std::size_t>(*nth));
 }
 
 Result<EditStack> entry_moved(const EditStack& stack, std::int64_t entry, int place) {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+
+#include "engine/demonstration/sampling_rate.h"
 
 namespace trocar::demonstration {
 namespace {
@@ -56,7 +57,7 @@ constexpr double kTremorFilter_s = 0.050;
 
 /// The mean of a knot and those within 0.15 s of it, weighed by how near they are in time. The weights are the same on
 /// both sides, so that what moves evenly stays as it is. Nothing where an end or a gap is nearer than that.
-std::optional<Eigen::Vector3d> smoothed_at(const std::vector<Knot>& knots, std::size_t i) {
+std::optional<Eigen::Vector3d> smoothed_at(const std::vector<Knot>& knots, std::size_t i, double gap_s) {
   Eigen::Vector3d sum = knots[i].p_WT;
   double weights = 1.0;
   for (std::size_t by = 1;; ++by) {
@@ -64,8 +65,7 @@ std::optional<Eigen::Vector3d> smoothed_at(const std::vector<Knot>& knots, std::
     const Knot& before = knots[i - by];
     const Knot& after = knots[i + by];
     if (after.t_s - before.t_s > 6.0 * kTremorFilter_s) break;
-    const bool gap =
-        knots[i - by + 1].t_s - before.t_s > kMotionGap_s || after.t_s - knots[i + by - 1].t_s > kMotionGap_s;
+    const bool gap = knots[i - by + 1].t_s - before.t_s > gap_s || after.t_s - knots[i + by - 1].t_s > gap_s;
     if (gap) return std::nullopt;
     const double away = 0.5 * (after.t_s - before.t_s) / kTremorFilter_s;
     const double weight = std::exp(-0.5 * away * away);
@@ -75,20 +75,20 @@ std::optional<Eigen::Vector3d> smoothed_at(const std::vector<Knot>& knots, std::
   return sum / weights;
 }
 
-std::vector<Knot> without_tremor(const std::vector<Knot>& knots) {
+std::vector<Knot> without_tremor(const std::vector<Knot>& knots, double gap_s) {
   std::vector<Knot> smooth;
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (const auto p_WT = smoothed_at(knots, i)) smooth.push_back({knots[i].t_s, *p_WT});
+    if (const auto p_WT = smoothed_at(knots, i, gap_s)) smooth.push_back({knots[i].t_s, *p_WT});
   }
   return smooth;
 }
 
-std::vector<MotionPoint> points_of(const std::vector<Knot>& knots) {
+std::vector<MotionPoint> points_of(const std::vector<Knot>& knots, double gap_s) {
   std::vector<MotionPoint> points;
   for (std::size_t i = 0; i + 4 <= knots.size(); ++i) {
     const std::span<const Knot, 4> four(&knots[i], 4);
-    const bool whole = std::adjacent_find(four.begin(), four.end(), [](const Knot& a, const Knot& b) {
-                         return b.t_s - a.t_s > kMotionGap_s;
+    const bool whole = std::adjacent_find(four.begin(), four.end(), [gap_s](const Knot& a, const Knot& b) {
+                         return b.t_s - a.t_s > gap_s;
                        }) == four.end();
     if (whole) points.push_back(point_at(four));
   }
@@ -98,18 +98,27 @@ std::vector<MotionPoint> points_of(const std::vector<Knot>& knots) {
 }  // namespace
 
 std::vector<MotionPoint> motion_of(const SampleTrack& samples, std::int64_t first_tick, std::size_t arm) {
-  return points_of(knots_of(samples, first_tick, arm));
+  return points_of(knots_of(samples, first_tick, arm), motion_gap_s(samples));
 }
 
-JerkSummary jerk_without_tremor(const Demonstration& document, std::size_t arm) {
+std::optional<JerkSummary> jerk_without_tremor(const Demonstration& document, std::size_t arm) {
+  const SampleTrack samples = document.gated();
+  if (Tick{usual_step(samples)}.seconds() > kRarestForJerk_s) return std::nullopt;
+  const double gap_s = motion_gap_s(samples);
   const std::vector<MotionPoint> points =
-      points_of(without_tremor(knots_of(document.gated(), document.first_tick(), arm)));
+      points_of(without_tremor(knots_of(samples, document.first_tick(), arm), gap_s), gap_s);
+  if (points.empty()) return std::nullopt;
   JerkSummary summary;
   for (const MotionPoint& point : points) {
     summary.mean_m_s3 += point.jerk_m_s3 / static_cast<double>(points.size());
     summary.peak_m_s3 = std::max(summary.peak_m_s3, point.jerk_m_s3);
   }
   return summary;
+}
+
+double motion_gap_s(const SampleTrack& samples) {
+  constexpr double kSteps = 2.5;
+  return std::max(kMotionGap_s, kSteps * Tick{usual_step(samples)}.seconds());
 }
 
 double path_length_m(const Demonstration& document, std::size_t arm) {

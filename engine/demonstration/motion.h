@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +30,8 @@ constexpr double kUnmoved_m = 1e-7;
 Eigen::Vector3d measured_tip(const Sample& sample, std::size_t arm);
 
 /// Of one arm (0 left, 1 right) between the gates; empty for fewer than 5 samples. Differences are not taken across
-/// a gap of more than 0.1 s.
+/// what is longer than `motion_gap_s`. Slower than 50 Hz the four samples are neighbours, and the means are over as
+/// much more time.
 std::vector<MotionPoint> motion_of(const Demonstration& document, std::size_t arm);
 /// Of any samples; times count from `first_tick`.
 std::vector<MotionPoint> motion_of(const SampleTrack& samples, std::int64_t first_tick, std::size_t arm);
@@ -40,11 +42,16 @@ struct JerkSummary {
   double mean_m_s3 = 0.0;  ///< Of its magnitude.
   double peak_m_s3 = 0.0;
 };
-/// Of one arm between the gates, without 0.15 s at the ends; 0 for what is shorter than 0.4 s.
-JerkSummary jerk_without_tremor(const Demonstration& document, std::size_t arm);
+/// Of samples that are usually further apart no jerk is told: a reach begins and ends between two of them.
+constexpr double kRarestForJerk_s = 0.2;
+/// Of one arm between the gates, without 0.15 s at the ends. None where it cannot be told: of what is shorter than
+/// 0.4 s, or of samples that are too rare.
+std::optional<JerkSummary> jerk_without_tremor(const Demonstration& document, std::size_t arm);
 
-/// Beyond this, two neighbours are apart: nothing is said of what was between them.
+/// Beyond this, two neighbours are apart: nothing is said of what was between them. Where samples are rare it is two
+/// and a half of what is usual from one to the next.
 constexpr double kMotionGap_s = 0.1;
+double motion_gap_s(const SampleTrack& samples);
 
 /// The length of an arm's measured path between the gates, in metres.
 double path_length_m(const Demonstration& document, std::size_t arm);

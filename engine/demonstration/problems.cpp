@@ -11,6 +11,7 @@
 #include "engine/demonstration/motion.h"
 #include "engine/demonstration/problem_spans.h"
 #include "engine/demonstration/quality.h"
+#include "engine/demonstration/sampling_rate.h"
 #include "engine/demonstration/setpoint_problems.h"
 
 namespace trocar::demonstration {
@@ -18,7 +19,7 @@ namespace {
 
 using Problems = std::vector<Problem>;
 
-/// Longer than this is an error: a whole chunk of the recording is missing.
+/// Longer than this, and than twice what is usual there, is an error: a whole chunk of the recording is missing.
 constexpr double kLongGap_s = 0.25;
 constexpr double kUnitTolerance = 1e-3;
 constexpr double kUnlabelled_s = 0.02;
@@ -60,24 +61,19 @@ void check_numbers(const Demonstration& document, Problems& found) {
 
 void check_time(const Demonstration& document, Problems& found) {
   const SampleTrack samples = document.gated();
-  std::vector<std::int64_t> steps;
-  for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples[i].tick - samples[i - 1].tick);
-  if (steps.empty()) return;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  const double usual_s = std::max(Tick{*middle}.seconds(), Tick{1}.seconds());
+  const auto time_s = [&](std::size_t i) { return Tick{samples.tick(i) - document.first_tick()}.seconds(); };
+  for (const SampleGap& gap : sample_gaps(samples)) {
+    const double begin_s = time_s(gap.after - 1);
+    const double end_s = time_s(gap.after);
+    const bool long_gap = end_s - begin_s > std::max(kLongGap_s, 2.0 * Tick{gap.usual}.seconds());
+    found.push_back({ProblemKind::kTime, long_gap ? Severity::kError : Severity::kWarning, begin_s, end_s,
+                     fmt::format("no sample for {:.0f} ms where one comes every {:.0f} ms", 1e3 * (end_s - begin_s),
+                                 1e3 * Tick{gap.usual}.seconds()),
+                     ""});
+  }
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    const double begin_s = document.time_of(samples[i - 1]);
-    const double end_s = document.time_of(samples[i]);
-    if (end_s - begin_s > 1.5 * usual_s) {
-      found.push_back({ProblemKind::kTime, end_s - begin_s > kLongGap_s ? Severity::kError : Severity::kWarning,
-                       begin_s, end_s,
-                       fmt::format("no sample for {:.0f} ms where one comes every {:.0f} ms", 1e3 * (end_s - begin_s),
-                                   1e3 * usual_s),
-                       ""});
-    } else if (end_s <= begin_s) {
-      found.push_back({ProblemKind::kTime, Severity::kError, begin_s, begin_s, "time does not go on", ""});
-    }
+    if (samples.tick(i) > samples.tick(i - 1)) continue;
+    found.push_back({ProblemKind::kTime, Severity::kError, time_s(i - 1), time_s(i - 1), "time does not go on", ""});
   }
 }
 

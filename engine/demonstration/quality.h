@@ -23,17 +23,22 @@ struct Quality {
   std::array<double, 2> path_length_m{};
   std::array<double, 2> mean_speed_m_s{};
   std::array<double, 2> peak_speed_m_s{};
-  std::array<double, 2> mean_jerk_m_s3{};  ///< Mean magnitude.
-  double idle_share = 0.0;                 ///< Of the duration in which neither tool moves nor opens or closes.
+  /// Mean magnitude; none where samples are too few or too far apart to tell.
+  std::array<std::optional<double>, 2> mean_jerk_m_s3{};
+  /// Of the duration in which neither tool moves nor opens or closes; none for fewer than 3 samples.
+  std::optional<double> idle_share;
 };
 Quality quality(const Demonstration& document);
 /// `Quality::idle_share` alone.
-double idle_share(const Demonstration& document);
+std::optional<double> idle_share(const Demonstration& document);
 
 struct IdleOptions {
   double speed_m_s = kIdleSpeed_m_s;
   double longer_s = kIdleTime_s;
   double margin_s = kIdleMargin_s;
+  /// Speeds are measured over so long before and after; 0: 0.15 s, and where samples are rare one and a half of what is
+  /// usual from one to the next.
+  double window_s = 0.0;
 };
 
 /// A stretch in which neither tool moves nor opens or closes.

@@ -41,7 +41,7 @@ std::vector<Waypoint> waypoints_of(const Demonstration& document) {
   std::vector<Waypoint> list;
   const EditStack& stack = *document.stack;
   for (auto entry = stack.rbegin(); entry != stack.rend(); ++entry) {
-    if (!entry->enabled) continue;
+    if (!entry->enabled || !entry->conflict.empty()) continue;
     if (moves_time(*entry->edit) || swaps_arms(*entry->edit)) break;
     if (const auto* move = std::get_if<MoveTool>(entry->edit.get())) list.push_back(waypoint(*entry, *move));
     if (const auto* turn = std::get_if<RotateTool>(entry->edit.get())) list.push_back(waypoint(*entry, *turn));

@@ -122,10 +122,10 @@ Result<std::vector<KeyStroke>> parse_key_script(std::string_view text) {
     }
     ended = strokes.back().act == KeyAct::kEnd;
   }
+  if (strokes.empty()) return fail(ErrorCode::kInvalidArgument, "the script presses no key and does not end");
   std::stable_sort(strokes.begin(), strokes.end(), [](const KeyStroke& a, const KeyStroke& b) { return a.at < b.at; });
   if (!ended) {
-    const Tick end = strokes.empty() ? Tick{} : strokes.back().at;
-    strokes.push_back({Tick{end.count + Tick::kPerSecond}, KeyAct::kEnd, 0, {}});
+    strokes.push_back({Tick{strokes.back().at.count + Tick::kPerSecond}, KeyAct::kEnd, 0, {}});
   }
   // What is still held then does not matter.
   const auto end =

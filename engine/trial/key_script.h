@@ -28,7 +28,7 @@ struct KeyStroke {
 
 /// By time, the last of them `kEnd`: where the text does not say when, one second after all else.
 /// Errors: kInvalidArgument naming the line: an unknown act or key, a time that is none, beyond an hour, or before the
-/// line above.
+/// line above; likewise for a text without any act.
 Result<std::vector<KeyStroke>> parse_key_script(std::string_view text);
 
 }  // namespace trocar::trial

@@ -162,14 +162,21 @@ Result<BatchAct> act_from_words(const std::vector<std::string>& words) {
   if (std::holds_alternative<demonstration::Rename>(edit)) {
     return fail(ErrorCode::kInvalidArgument, "several demonstrations cannot be given one name");
   }
-  if (std::holds_alternative<demonstration::Splice>(edit)) {
-    return fail(ErrorCode::kInvalidArgument, "a splice is made one demonstration at a time");
+  if (std::holds_alternative<demonstration::Splice>(edit) || std::holds_alternative<demonstration::Overdub>(edit)) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("{} is made one demonstration at a time", demonstration::name_of(edit)));
   }
   return edit;
 }
 
 std::vector<std::string> to_words(const BatchAct& act) {
   return std::visit(WordsOf{}, act);
+}
+
+Batch mending(const Demonstration& shown, const std::vector<demonstration::Edit>& fixes) {
+  Batch batch{fmt::format("Fix {} problem{} of {}", fixes.size(), fixes.size() == 1 ? "" : "s", shown.name), {}};
+  for (const demonstration::Edit& fix : fixes) batch.edits.emplace_back(EditDemonstration{shown.id, fix});
+  return batch;
 }
 
 std::shared_ptr<const BatchPlan> plan_batch(const BatchRequest& request, Progress& progress) {

@@ -44,6 +44,9 @@ struct BatchPlan {
   std::string error;             ///< What is wrong with the words or the choice; then there are no lines.
 };
 
+/// The fixes of a demonstration's problems, each an entry of its stack, as one step of the history.
+Batch mending(const demonstration::Demonstration& shown, const std::vector<demonstration::Edit>& fixes);
+
 /// Applies the act to each and looks at what comes of it; nothing is changed. Of an edit whose effect is to move gates
 /// the batch holds the gates, so that it is quick to make and to undo. Null for a request without a project; what
 /// `progress` cut off has an error. Threads: any.

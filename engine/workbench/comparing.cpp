@@ -15,11 +15,12 @@ namespace {
 
 constexpr std::string_view kHistory = "history:";
 
-std::shared_ptr<const plot::Curve> deviation_of(const demonstration::Comparison& comparison, std::size_t arm) {
+std::shared_ptr<const plot::Curve> deviation_of(const demonstration::Comparison& comparison, std::size_t arm,
+                                                double gap_s) {
   std::vector<double> t_s;
   std::vector<double> mm;
   for (const demonstration::Match& match : comparison.matches) {
-    if (!t_s.empty() && match.t_s - t_s.back() > demonstration::kMotionGap_s) {
+    if (!t_s.empty() && match.t_s - t_s.back() > gap_s) {
       t_s.push_back(0.5 * (t_s.back() + match.t_s));
       mm.push_back(std::numeric_limits<double>::quiet_NaN());
     }
@@ -80,7 +81,8 @@ std::shared_ptr<const ComparisonView> comparison_of(const ComparisonRequest& req
   auto compared = demonstration::compare(*request.before, *request.after, request.settings.alignment, spatial::Grid{});
   if (compared) {
     view->comparison = std::move(*compared);
-    for (std::size_t arm = 0; arm < 2; ++arm) view->deviation_mm[arm] = deviation_of(*view->comparison, arm);
+    const double gap_s = demonstration::motion_gap_s(request.after->samples);
+    for (std::size_t arm = 0; arm < 2; ++arm) view->deviation_mm[arm] = deviation_of(*view->comparison, arm, gap_s);
   } else {
     view->error = compared.error().text();
   }

@@ -76,9 +76,10 @@ std::shared_ptr<const plot::Curve> plotted_clearance(const demonstration::Demons
   std::vector<double> values;
   t_s.reserve(clearance.size());
   values.reserve(clearance.size());
+  const double gap_s = demonstration::motion_gap_s(samples);
   for (std::size_t i = 0; i < clearance.size(); ++i) {
     const double now_s = Tick{samples.tick(i) - shown.first_tick()}.seconds();
-    if (!t_s.empty() && now_s - t_s.back() > demonstration::kMotionGap_s) {
+    if (!t_s.empty() && now_s - t_s.back() > gap_s) {
       t_s.push_back(0.5 * (t_s.back() + now_s));
       values.push_back(std::numeric_limits<double>::quiet_NaN());
     }

@@ -35,7 +35,8 @@ std::string unused_name(const Project& project, const std::string& stem) {
 bool fits_batch(const Edit& edit) {
   return !std::holds_alternative<AddDemonstration>(edit) && !std::holds_alternative<CopyDemonstration>(edit) &&
          !std::holds_alternative<SplitDemonstration>(edit) && !std::holds_alternative<AddModel>(edit) &&
-         !std::holds_alternative<Batch>(edit);
+         !std::holds_alternative<CopyDemonstrations>(edit) && !std::holds_alternative<ImportDemonstrations>(edit) &&
+         !std::holds_alternative<PunchIn>(edit) && !std::holds_alternative<Batch>(edit);
 }
 
 struct Application {
@@ -45,13 +46,27 @@ struct Application {
   std::int64_t first_entry = new_id;  ///< The id of what the edit adds to a stack.
 
   Result<Project> operator()(const AddDemonstration& edit) const {
-    TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
-    TROCAR_ASSIGN_OR_RETURN(auto recording, blobs.recording(edit.recording));
     const DemonstrationId id{new_id};
-    TROCAR_ASSIGN_OR_RETURN(Demonstration made, demonstration::make_demonstration(id, edit.name, std::move(recording)));
-    Project edited = project;
-    edited.demonstrations[id] = std::make_shared<const Demonstration>(std::move(made));
-    return edited;
+    return with(id, imported({edit.recording, edit.name, edit.edits}, id));
+  }
+
+  Result<Project> operator()(const PunchIn& edit) const {
+    const auto found = project.demonstrations.find(edit.demonstration);
+    if (found == project.demonstrations.end()) return no_demonstration(edit.demonstration);
+    TROCAR_ASSIGN_OR_RETURN(Project edited, (*this)(edit.take));
+    const Demonstration& take = *edited.demonstrations.at(DemonstrationId{new_id});
+    demonstration::Overdub overdub = edit.overdub;
+    overdub.source = new_id;
+    overdub.as_of = new_id;
+    TROCAR_ASSIGN_OR_RETURN(demonstration::Clip clip,
+                            demonstration::clip_of(take, overdub.clip_from_s, overdub.clip_to_s));
+    overdub.clip = std::make_shared<const demonstration::Clip>(std::move(clip));
+    TROCAR_ASSIGN_OR_RETURN(Demonstration made, demonstration::apply(*found->second, overdub, new_id));
+    edited.demonstrations[edit.demonstration] = std::make_shared<const Demonstration>(std::move(made));
+    if (project.marks_of(edit.demonstration).verdict == Verdict::kNone) return edited;
+    MarkChange unsaid;
+    unsaid.verdict = Verdict::kNone;
+    return Application{edited, new_id, blobs}(MarkDemonstration{edit.demonstration, unsaid});
   }
 
   Result<Demonstration> imported(const ImportDemonstrations::Part& part, DemonstrationId id) const {
@@ -60,8 +75,7 @@ struct Application {
     TROCAR_ASSIGN_OR_RETURN(Demonstration made, demonstration::make_demonstration(id, part.name, std::move(recording)));
     for (std::size_t i = 0; i < part.edits.size(); ++i) {
       TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(part.edits[i], project, blobs, new_id));
-      const std::int64_t entry = id.value + (static_cast<std::int64_t>(i) << 32);
-      TROCAR_ASSIGN_OR_RETURN(made, demonstration::apply(made, whole, entry));
+      TROCAR_ASSIGN_OR_RETURN(made, demonstration::apply(made, whole, demonstration::entry_id(id.value, i)));
     }
     return made;
   }
@@ -158,7 +172,20 @@ struct Application {
   }
 
   /// Entries of one journal row get ids that no other row's have.
-  std::int64_t entry_id(std::size_t nth) const { return new_id + (static_cast<std::int64_t>(nth) << 32); }
+  std::int64_t entry_id(std::size_t nth) const { return demonstration::entry_id(new_id, nth); }
+
+  Result<Project> operator()(const CopyDemonstrations& edit) const {
+    const std::int64_t first = new_id - ids_taken(edit) + 1;
+    if (edit.copies.empty() || first < 1) {
+      return fail(ErrorCode::kInvalidArgument, "there must be copies to make, with a number for each");
+    }
+    Project edited = project;
+    for (std::size_t i = 0; i < edit.copies.size(); ++i) {
+      const Application next{edited, first + static_cast<std::int64_t>(i), blobs};
+      TROCAR_ASSIGN_OR_RETURN(edited, next(edit.copies[i]));
+    }
+    return edited;
+  }
 
   Result<Project> operator()(const CopyDemonstration& edit) const {
     if (!edit.name.empty()) TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
@@ -209,8 +236,16 @@ struct Application {
   }
   Result<Project> operator()(const ReplaceStackEntry& edit) const {
     TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(edit.edit, project, blobs, new_id));
-    return restacked(edit.demonstration,
-                     [&](const EditStack& stack) { return entry_replaced(stack, edit.entry, whole); });
+    TROCAR_ASSIGN_OR_RETURN(Project edited, restacked(edit.demonstration, [&](const EditStack& stack) {
+                              return entry_replaced(stack, edit.entry, whole);
+                            }));
+    // What somebody asks for now and cannot be had is refused; a conflict is what comes of other changes.
+    for (const StackEntry& entry : *edited.demonstrations.at(edit.demonstration)->stack) {
+      if (entry.id == edit.entry && !entry.conflict.empty()) {
+        return fail(ErrorCode::kInvalidArgument, entry.conflict);
+      }
+    }
+    return edited;
   }
   Result<Project> operator()(const NameStackEntry& edit) const {
     if (!edit.name.empty()) TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
@@ -247,6 +282,16 @@ struct Description {
     return found == before.demonstrations.end() ? fmt::format("demonstration {}", id.value) : found->second->name;
   }
   std::string operator()(const AddDemonstration& edit) const { return fmt::format("Add {}", edit.name); }
+  std::string operator()(const PunchIn& edit) const {
+    const double from_s = edit.overdub.at_s;
+    return fmt::format("Replace {:.2f}–{:.2f} s of {} by {}", from_s,
+                       from_s + edit.overdub.clip_to_s - edit.overdub.clip_from_s, name(edit.demonstration),
+                       edit.take.name);
+  }
+  std::string operator()(const CopyDemonstrations& edit) const {
+    const DemonstrationId source = edit.copies.empty() ? DemonstrationId{} : edit.copies.front().demonstration;
+    return fmt::format("Copy {} {} times", name(source), edit.copies.size());
+  }
   std::string operator()(const ImportDemonstrations& edit) const {
     if (edit.parts.size() == 1) return fmt::format("Import {}", edit.parts.front().name);
     return fmt::format("Import {} demonstrations from {}", edit.parts.size(), edit.file);
@@ -321,33 +366,45 @@ Result<std::shared_ptr<const Project>> apply(const Project& project, const Edit&
   return std::make_shared<const Project>(std::move(edited));
 }
 
-Result<DemonstrationEdit> resolved(DemonstrationEdit edit, const Project& before, const BlobSource& blobs,
-                                   std::int64_t new_id) {
-  auto* splice = std::get_if<demonstration::Splice>(&edit);
-  if (splice == nullptr) return edit;
-  const DemonstrationId source{splice->source};
+namespace {
+
+/// Finds the clip that `taking`, a splice or an overdub, takes from another demonstration.
+template <typename Taking>
+Status find_clip(Taking& taking, const Project& before, const BlobSource& blobs, std::int64_t new_id) {
+  const DemonstrationId source{taking.source};
   const auto clip_from = [&](const Project& project) -> Status {
     const auto found = project.demonstrations.find(source);
     if (found == project.demonstrations.end()) return no_demonstration(source);
     TROCAR_ASSIGN_OR_RETURN(demonstration::Clip clip,
-                            demonstration::clip_of(*found->second, splice->clip_from_s, splice->clip_to_s));
-    splice->clip = std::make_shared<const demonstration::Clip>(std::move(clip));
+                            demonstration::clip_of(*found->second, taking.clip_from_s, taking.clip_to_s));
+    taking.clip = std::make_shared<const demonstration::Clip>(std::move(clip));
     return {};
   };
-  if (splice->as_of == 0) {
-    TROCAR_RETURN_IF_ERROR(clip_from(before));
-  } else if (splice->as_of < 0 || splice->as_of >= new_id) {
-    return fail(ErrorCode::kNotFound, fmt::format("the history has no point {} before this one", splice->as_of));
-  } else {
-    TROCAR_ASSIGN_OR_RETURN(const std::shared_ptr<const Project> then, blobs.project_at(splice->as_of));
-    TROCAR_RETURN_IF_ERROR(clip_from(*then));
+  if (taking.as_of == 0) return clip_from(before);
+  if (taking.as_of < 0 || taking.as_of >= new_id) {
+    return fail(ErrorCode::kNotFound, fmt::format("the history has no point {} before this one", taking.as_of));
+  }
+  TROCAR_ASSIGN_OR_RETURN(const std::shared_ptr<const Project> then, blobs.project_at(taking.as_of));
+  return clip_from(*then);
+}
+
+}  // namespace
+
+Result<DemonstrationEdit> resolved(DemonstrationEdit edit, const Project& before, const BlobSource& blobs,
+                                   std::int64_t new_id) {
+  if (auto* splice = std::get_if<demonstration::Splice>(&edit)) {
+    TROCAR_RETURN_IF_ERROR(find_clip(*splice, before, blobs, new_id));
+  } else if (auto* overdub = std::get_if<demonstration::Overdub>(&edit)) {
+    TROCAR_RETURN_IF_ERROR(find_clip(*overdub, before, blobs, new_id));
   }
   return edit;
 }
 
 std::int64_t ids_taken(const Edit& edit) {
-  const auto* import = std::get_if<ImportDemonstrations>(&edit);
-  return import == nullptr ? 1 : std::max<std::int64_t>(static_cast<std::int64_t>(import->parts.size()), 1);
+  std::size_t count = 1;
+  if (const auto* import = std::get_if<ImportDemonstrations>(&edit)) count = import->parts.size();
+  if (const auto* copies = std::get_if<CopyDemonstrations>(&edit)) count = copies->copies.size();
+  return std::max<std::int64_t>(static_cast<std::int64_t>(count), 1);
 }
 
 std::string_view name_of(const Edit& edit) {

@@ -17,6 +17,16 @@ struct AddDemonstration {
   static constexpr std::string_view kName = "add demonstration";
   demonstration::RecordingId recording;
   std::string name;
+  std::vector<demonstration::Edit> edits{};  ///< Made on it at once, such as notes on pauses.
+};
+
+/// Puts a finished recording into the project likewise, and has `overdub` take from it: a part of another demonstration
+/// is replaced by it, as one step. What a person had said of how that one ends is no longer said.
+struct PunchIn {
+  static constexpr std::string_view kName = "punch in";
+  AddDemonstration take;
+  DemonstrationId demonstration;
+  demonstration::Overdub overdub;  ///< Its source and point of the history are the row's own, whatever it says.
 };
 
 /// Puts the recordings of one foreign file into the project, as one step. Its journal row takes as many ids as there
@@ -63,6 +73,12 @@ struct CopyDemonstration {
   DemonstrationId demonstration;
   std::string name;  ///< "": "Expert 1 copy", numbered if need be.
   std::vector<demonstration::Edit> edits;
+};
+
+/// Several at once, as one step. The row takes as many ids as there are copies: the last has that of the row.
+struct CopyDemonstrations {
+  static constexpr std::string_view kName = "copy demonstrations";
+  std::vector<CopyDemonstration> copies;
 };
 
 /// Makes two of one: the gates of the first end where those of the second, which is new, begin.
@@ -131,9 +147,10 @@ struct Batch;
 using Edit = std::variant<AddDemonstration, ImportDemonstrations, RemoveDemonstration, EditDemonstration,
                           CopyDemonstration, SplitDemonstration, MoveStackEntry, EnableStackEntry, ReplaceStackEntry,
                           NameStackEntry, RemoveStackEntry, AddModel, RemoveModel, RestoreDemonstration,
-                          MarkDemonstration, SaveFilter, RemoveFilter, Batch>;
+                          MarkDemonstration, SaveFilter, RemoveFilter, PunchIn, CopyDemonstrations, Batch>;
 
-/// Several edits as one step: all are made, or none. Those that add something have no place in it, nor another batch.
+/// Several edits as one step, one after the other: all are made, or none. Those of one demonstration are entries of
+/// their own in its stack. Those that add something have no place in it, nor another batch.
 struct Batch {
   static constexpr std::string_view kName = "batch";
   std::string title;  ///< For the history: "Trim idle of 12 demonstrations".

@@ -30,7 +30,17 @@ struct Printer {
     return list;
   }
   json operator()(const AddDemonstration& edit) const {
-    return {{"recording", edit.recording.value}, {"name", edit.name}};
+    json object{{"recording", edit.recording.value}, {"name", edit.name}};
+    if (!edit.edits.empty()) object["edits"] = list_of(edit.edits);
+    return object;
+  }
+  json operator()(const PunchIn& edit) const {
+    return with_edit({{"take", (*this)(edit.take)}, {"demonstration", edit.demonstration.value}}, edit.overdub);
+  }
+  json operator()(const CopyDemonstrations& edit) const {
+    json copies = json::array();
+    for (const CopyDemonstration& copy : edit.copies) copies.push_back((*this)(copy));
+    return {{"copies", std::move(copies)}};
   }
   json operator()(const ImportDemonstrations& edit) const {
     json parts = json::array();
@@ -107,12 +117,6 @@ Result<std::string> text_at(const json& object, const char* key) {
   return found->get<std::string>();
 }
 
-Result<Edit> add_demonstration(const json& object) {
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t recording, id_at(object, "recording"));
-  TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(object, "name"));
-  return AddDemonstration{demonstration::RecordingId{recording}, std::move(name)};
-}
-
 Result<demonstration::Edit> inner_edit(const json& object) {
   TROCAR_ASSIGN_OR_RETURN(const std::string name, text_at(object, "edit"));
   const auto parameters = object.find("parameters");
@@ -139,11 +143,44 @@ Result<std::vector<demonstration::Edit>> edits_at(const json& object) {
   return edits;
 }
 
-Result<Edit> copy_demonstration(const json& object) {
+Result<AddDemonstration> add_demonstration(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t recording, id_at(object, "recording"));
+  TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(object, "name"));
+  AddDemonstration added{demonstration::RecordingId{recording}, std::move(name)};
+  if (object.contains("edits")) {
+    TROCAR_ASSIGN_OR_RETURN(added.edits, edits_at(object));
+  }
+  return added;
+}
+
+Result<CopyDemonstration> copy_demonstration(const json& object) {
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
   TROCAR_ASSIGN_OR_RETURN(std::string name, text_at(object, "name"));
   TROCAR_ASSIGN_OR_RETURN(std::vector<demonstration::Edit> edits, edits_at(object));
   return CopyDemonstration{DemonstrationId{id}, std::move(name), std::move(edits)};
+}
+
+Result<Edit> copy_demonstrations(const json& object) {
+  const auto list = object.find("copies");
+  if (list == object.end() || !list->is_array()) return corrupt("the parameter copies must be there and be a list");
+  CopyDemonstrations edit;
+  for (const json& each : *list) {
+    if (!each.is_object()) return corrupt("each of the copies must be a JSON object");
+    TROCAR_ASSIGN_OR_RETURN(CopyDemonstration copy, copy_demonstration(each));
+    edit.copies.push_back(std::move(copy));
+  }
+  return edit;
+}
+
+Result<Edit> punch_in(const json& object) {
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "demonstration"));
+  const auto take = object.find("take");
+  if (take == object.end() || !take->is_object()) return corrupt("the parameter take must be there and be an object");
+  TROCAR_ASSIGN_OR_RETURN(AddDemonstration added, add_demonstration(*take));
+  TROCAR_ASSIGN_OR_RETURN(const demonstration::Edit edit, inner_edit(object));
+  const auto* overdub = std::get_if<demonstration::Overdub>(&edit);
+  if (overdub == nullptr) return corrupt("what a punch-in does must be an overdub");
+  return PunchIn{std::move(added), DemonstrationId{id}, *overdub};
 }
 
 Result<Edit> import_demonstrations(const json& object) {
@@ -262,10 +299,18 @@ Result<Edit> batch(const json& object) {
 }
 
 Result<Edit> edit_from(std::string_view name, const json& object) {
-  if (name == AddDemonstration::kName) return add_demonstration(object);
+  if (name == AddDemonstration::kName) {
+    TROCAR_ASSIGN_OR_RETURN(AddDemonstration added, add_demonstration(object));
+    return added;
+  }
   if (name == ImportDemonstrations::kName) return import_demonstrations(object);
   if (name == EditDemonstration::kName) return edit_demonstration(object);
-  if (name == CopyDemonstration::kName) return copy_demonstration(object);
+  if (name == CopyDemonstration::kName) {
+    TROCAR_ASSIGN_OR_RETURN(CopyDemonstration copy, copy_demonstration(object));
+    return copy;
+  }
+  if (name == CopyDemonstrations::kName) return copy_demonstrations(object);
+  if (name == PunchIn::kName) return punch_in(object);
   if (name == SplitDemonstration::kName) return split_demonstration(object);
   if (name == MoveStackEntry::kName || name == EnableStackEntry::kName || name == ReplaceStackEntry::kName ||
       name == NameStackEntry::kName || name == RemoveStackEntry::kName) {

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/demonstration/diff.h"
 #include "engine/demonstration/edits.h"
+#include "engine/demonstration/snap_figures.h"
 
 namespace trocar::workbench {
 
@@ -21,7 +23,8 @@ struct EditPreview {
   std::shared_ptr<const demonstration::Demonstration> before;
   std::shared_ptr<const demonstration::Demonstration> after;  ///< Null if the edit cannot be made.
   demonstration::Difference difference;
-  std::string error;  ///< Why it cannot.
+  std::vector<demonstration::SnapFigures> snap;  ///< Of an edit that snaps to the lattice.
+  std::string error;                             ///< Why it cannot.
 };
 
 /// Nothing for a request without a demonstration. Threads: any.

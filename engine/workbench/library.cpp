@@ -61,8 +61,8 @@ LibraryRow facts_of(const Demonstration& document, const LibraryRequest& request
     const auto segment = static_cast<Segment>(i);
     if (document.segment(segment)) row.segments += demonstration::letter(segment);
   }
-  row.outcome = recording.outcome;
-  row.placed = recording.placed;
+  row.outcome = document.outcome();
+  row.placed = document.placed();
   row.source = recording.provenance.operator_kind;
   if (!recording.provenance.skill.empty()) row.source += " " + recording.provenance.skill;
   row.hash = document.hash();
@@ -93,12 +93,12 @@ void find_duplicates(std::vector<LibraryRow>& rows) {
 
 /// What a row can be odd in, and what it is called on either side.
 struct Trait {
-  double (*value)(const LibraryRow&);
+  std::optional<double> (*value)(const LibraryRow&);
   const char* more;
   const char* less;  ///< Empty: that is no fault.
 };
 constexpr std::array<Trait, 3> kTraits{{
-    {[](const LibraryRow& row) { return row.duration_s; }, "long", "short"},
+    {[](const LibraryRow& row) { return std::optional(row.duration_s); }, "long", "short"},
     {[](const LibraryRow& row) { return row.measures->mean_jerk_m_s3; }, "jerky", ""},
     {[](const LibraryRow& row) { return row.measures->idle_share; }, "still", ""},
 }};
@@ -111,17 +111,26 @@ void find_oddities(std::vector<LibraryRow>& rows) {
   if (rows.size() < kLeastForOddity) return;
   for (LibraryRow& row : rows) row.oddity.emplace();
   for (const Trait& trait : kTraits) {
-    std::vector<double> values(rows.size());
-    std::transform(rows.begin(), rows.end(), values.begin(), trait.value);
+    // Those of which it is not known are as odd as the others make them.
+    std::vector<double> values;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::optional<double> value = trait.value(rows[i]);
+      if (!value) continue;
+      values.push_back(*value);
+      places.push_back(i);
+    }
+    if (values.size() < kLeastForOddity) continue;
     const double middle = statistics::median(values);
     std::vector<double> distances(values);
     for (double& value : distances) value = std::abs(value - middle);
     const double deviation = kDeviationPerMedianDistance * statistics::median(distances);
     if (!(deviation > 0.0)) continue;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
       const double deviations = std::abs(values[i] - middle) / deviation;
       const char* word = values[i] > middle ? trait.more : trait.less;
-      if (*word != '\0' && deviations > rows[i].oddity->deviations) rows[i].oddity = Oddity{deviations, word};
+      std::optional<Oddity>& oddity = rows[places[i]].oddity;
+      if (*word != '\0' && deviations > oddity->deviations) oddity = Oddity{deviations, word};
     }
   }
 }
@@ -134,9 +143,10 @@ Measures measures_of(const Demonstration& document) {
   for (std::size_t arm = 0; arm < 2; ++arm) {
     measures.moves[arm] = moves(samples, arm);
     measures.path_length_m[arm] = demonstration::path_length_m(document, arm);
-    const demonstration::JerkSummary jerk = demonstration::jerk_without_tremor(document, arm);
-    measures.mean_jerk_m_s3 = std::max(measures.mean_jerk_m_s3, jerk.mean_m_s3);
-    measures.peak_jerk_m_s3 = std::max(measures.peak_jerk_m_s3, jerk.peak_m_s3);
+    const std::optional<demonstration::JerkSummary> jerk = demonstration::jerk_without_tremor(document, arm);
+    if (!jerk) continue;
+    measures.mean_jerk_m_s3 = std::max(measures.mean_jerk_m_s3.value_or(0.0), jerk->mean_m_s3);
+    measures.peak_jerk_m_s3 = std::max(measures.peak_jerk_m_s3.value_or(0.0), jerk->peak_m_s3);
   }
   measures.idle_share = demonstration::idle_share(document);
   measures.clearance_m = least_clearance_m(document, samples);

@@ -19,9 +19,10 @@ namespace trocar::workbench {
 struct Measures {
   std::array<bool, 2> moves{};  ///< Its tool goes farther than 2 mm.
   std::array<double, 2> path_length_m{};
-  double mean_jerk_m_s3 = 0.0;  ///< Of the path without its tremor, of the arm that has the more.
-  double peak_jerk_m_s3 = 0.0;
-  double idle_share = 0.0;
+  /// Of the path without its tremor, of the arm that has the more; none where it cannot be told.
+  std::optional<double> mean_jerk_m_s3;
+  std::optional<double> peak_jerk_m_s3;
+  std::optional<double> idle_share;    ///< Likewise.
   std::optional<double> clearance_m;   ///< The least; none if some samples are not finite.
   std::optional<double> grid_error_m;  ///< The largest of segments A and C on the lattice; none without either.
 };

@@ -43,15 +43,15 @@ LibraryCell path(const Measures& measures) {
 }
 
 LibraryCell jerk(const Measures& measures) {
-  return number(measures.mean_jerk_m_s3);
+  return measures.mean_jerk_m_s3 ? number(*measures.mean_jerk_m_s3) : LibraryCell{};
 }
 
 LibraryCell peak_jerk(const Measures& measures) {
-  return number(measures.peak_jerk_m_s3);
+  return measures.peak_jerk_m_s3 ? number(*measures.peak_jerk_m_s3) : LibraryCell{};
 }
 
 LibraryCell idle(const Measures& measures) {
-  return number(100.0 * measures.idle_share);
+  return measures.idle_share ? number(100.0 * *measures.idle_share) : LibraryCell{};
 }
 
 LibraryCell clearance(const Measures& measures) {
@@ -86,8 +86,8 @@ constexpr std::array<LibraryColumn, 23> kColumns{{
      [](const LibraryRow& row) { return number(static_cast<double>(row.samples)); }},
     {"segment", "Segments", "", "Those that are labelled between the gates", kText, 0, kAtOnce,
      [](const LibraryRow& row) { return text(row.segments); }},
-    {"outcome", "Outcome", "", "How the transfer ended, as it was recorded", kText, 0, kAtOnce,
-     [](const LibraryRow& row) { return text(std::string(demonstration::to_string(row.outcome))); }},
+    {"outcome", "Outcome", "", "How the transfer ended, as it was recorded; unknown once edits changed the motion",
+     kText, 0, kAtOnce, [](const LibraryRow& row) { return text(std::string(demonstration::to_string(row.outcome))); }},
     {"verdict", "Verdict", "", "How the transfer ended in a person's eyes", kText, 0, kAtOnce,
      [](const LibraryRow& row) {
        return row.marks.verdict == Verdict::kNone ? LibraryCell{} : text(std::string(to_string(row.marks.verdict)));

@@ -24,7 +24,7 @@ Result<std::unique_ptr<LiveRecording>> LiveRecording::start(ProjectFile& file, c
   TROCAR_ASSIGN_OR_RETURN(std::unique_ptr<trial::HandSession> session,
                           trial::HandSession::create(std::move(plan.options)));
   trial::HandSession& hand = *session;
-  TakeWriter writer(file, hand.provenance(), std::move(plan.name), plan.punch);
+  TakeWriter writer(file, hand.provenance(), std::move(plan.name), plan.target);
   std::unique_ptr<LiveRecording> recording(new LiveRecording(std::move(writer), std::move(session), true));
   recording->hand_ = &hand;
   recording->take_ = TakeView{request, recording->writer_.name(), false, {}};
@@ -90,6 +90,11 @@ LiveRecording::End LiveRecording::conclude() {
   }
   const Result<DemonstrationId> id = writer_.finish(last_->outcome, last_->placed);
   if (!id) return {id, {}};
+  if (writer_.target()) {
+    const TimeSpan& span = writer_.target()->span;
+    return {id, fmt::format("Recorded \"{}\", {:.2f} s, in place of what was from {:.2f} s on", writer_.name(),
+                            writer_.duration_s(), span.begin_s)};
+  }
   return {id, fmt::format("Recorded \"{}\": {}{}", writer_.name(), demonstration::to_string(last_->outcome),
                           last_->placed ? ", block placed" : "")};
 }

@@ -40,6 +40,16 @@ Result<std::shared_ptr<const Demonstration>> find(const Project& project, Demons
   return fail(ErrorCode::kNotFound, fmt::format("there is no demonstration {}", id.value));
 }
 
+/// Those that do not replay what is there.
+Result<demonstration::Arms> recorded_arms(const std::array<trial::ArmSource, 2>& sources) {
+  const bool left = sources[0] != trial::ArmSource::kReplay;
+  const bool right = sources[1] != trial::ArmSource::kReplay;
+  if (left && right) return demonstration::Arms::kBoth;
+  if (left) return demonstration::Arms::kLeft;
+  if (right) return demonstration::Arms::kRight;
+  return fail(ErrorCode::kInvalidArgument, "both arms replay what is there: nothing would be replaced");
+}
+
 }  // namespace
 
 RecordByHand another_take(RecordByHand request) {
@@ -93,8 +103,11 @@ Result<TakePlan> plan_take(const Project& project, const RecordByHand& request) 
     plan.options.lead_in = setpoints_of(*shown, first + kTicksPerSample, begin);
   }
   if (request.punch) {
-    plan.options.time_limit_s = std::max(Tick{end - begin}.seconds(), 0.005);
-    plan.punch = PunchIn{request.replayed, *span};
+    const double length_s = std::max(Tick{end - begin}.seconds(), 0.005);
+    plan.options.pre_roll = false;  // what comes before the span is there already
+    plan.options.time_limit_s = std::min(length_s, request.options.time_limit_s);
+    TROCAR_ASSIGN_OR_RETURN(const demonstration::Arms arms, recorded_arms(request.options.sources));
+    plan.target = TakeTarget{request.replayed, *span, arms};
     if (request.name.empty()) plan.name = take_name(project, shown->name + ", take");
   }
   return plan;

@@ -13,12 +13,13 @@ namespace trocar::workbench {
 struct TakePlan {
   trial::HandOptions options;
   std::string name;
-  std::optional<PunchIn> punch;
+  std::optional<TakeTarget> target;
 };
 
 /// With an overdub the take begins in the world of the demonstration that is replayed, at its begin gate; with a
 /// punch-in at the beginning of the span. Where that world is not known, as of imports, the arms are led there.
-/// Errors: kNotFound if it names a demonstration that there is not; kInvalidArgument for a span without samples.
+/// Errors: kNotFound if it names a demonstration that there is not; kInvalidArgument for a span without samples, or one
+/// that both arms only replay.
 Result<TakePlan> plan_take(const Project& project, const RecordByHand& request);
 
 /// To be driven in the same way once more: without a name, and in place of nothing.

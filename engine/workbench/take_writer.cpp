@@ -1,26 +1,19 @@
 #include "engine/workbench/take_writer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace trocar::workbench {
 
 namespace {
 
-/// The old motion is joined again within this time of the end of what replaces a part of it.
+/// The old motion is joined again within this time of the end of what replaces a part of it, or later: no tool is to be
+/// faster on its way back than this.
 constexpr double kEaseOut_s = 0.5;
-
-/// What the guard of an arm would see as more than a step from one sample to the next.
-bool leaps(const demonstration::Sample& from, const demonstration::Sample& to) {
-  constexpr double kStep_m = 0.0005;
-  constexpr double kStep_rad = 0.01;
-  for (std::size_t arm = 0; arm < from.arms.size(); ++arm) {
-    const spatial::Pose X_WA = from.arms[arm].setpoint();
-    const spatial::Pose X_WB = to.arms[arm].setpoint();
-    if ((X_WA.p - X_WB.p).norm() > kStep_m || X_WA.q.angularDistance(X_WB.q) > kStep_rad) return true;
-  }
-  return false;
-}
+constexpr double kEaseOutSpeed_m_s = 0.15;
+/// The peak of a motion with minimum jerk, relative to its mean.
+constexpr double kPeakOfMinimumJerk = 1.875;
 
 }  // namespace
 
@@ -29,8 +22,8 @@ TakePart take_part(trial::LiveSession& session) {
 }
 
 TakeWriter::TakeWriter(ProjectFile& file, demonstration::Provenance provenance, std::string name,
-                       std::optional<PunchIn> punch)
-    : file_(file), provenance_(std::move(provenance)), name_(std::move(name)), punch_(punch) {}
+                       std::optional<TakeTarget> target)
+    : file_(file), provenance_(std::move(provenance)), name_(std::move(name)), target_(target) {}
 
 Status TakeWriter::write(const TakePart& part) {
   if (part.initial_world) {
@@ -54,42 +47,45 @@ double TakeWriter::duration_s() const {
   return Tick{last_tick_ - first_tick_}.seconds();
 }
 
-Status TakeWriter::add_notes(DemonstrationId id) {
+std::vector<demonstration::Edit> TakeWriter::note_edits() const {
+  std::vector<demonstration::Edit> edits;
   for (const trial::TakeNote& note : notes_) {
     const double at_s = Tick{note.tick - first_tick_}.seconds();
-    TROCAR_RETURN_IF_ERROR(
-        file_.commit(EditDemonstration{id, demonstration::AddNote{note.text, at_s, at_s, "recording", 0}})
-            .map([](std::int64_t) {}));
+    edits.emplace_back(demonstration::AddNote{note.text, at_s, at_s, "recording", 0});
   }
-  return {};
+  return edits;
+}
+
+Edit TakeWriter::edit_for(demonstration::RecordingId recording) const {
+  AddDemonstration added{recording, name_, note_edits()};
+  if (!target_) return added;
+  demonstration::Overdub overdub;
+  overdub.clip_to_s = duration_s();
+  overdub.at_s = target_->span.begin_s;
+  overdub.arms = target_->arms;
+  overdub.ease_s = ease_s();
+  return PunchIn{std::move(added), target_->into, overdub};
+}
+
+double TakeWriter::ease_s() const {
+  const auto& demonstrations = file_.project()->demonstrations;
+  const auto into = demonstrations.find(target_->into);
+  if (into == demonstrations.end()) return kEaseOut_s;
+  const demonstration::Sample old = into->second->sample_at(target_->span.begin_s + duration_s());
+  double farthest_m = 0.0;
+  for (std::size_t arm = 0; arm < old.arms.size(); ++arm) {
+    farthest_m = std::max(farthest_m, (last_.arms[arm].setpoint().p - old.arms[arm].setpoint().p).norm());
+  }
+  const double needed_s = kPeakOfMinimumJerk * farthest_m / kEaseOutSpeed_m_s;
+  return std::max(kEaseOut_s, std::ceil(needed_s * 100.0) / 100.0);
 }
 
 Result<DemonstrationId> TakeWriter::finish(demonstration::Outcome outcome, bool placed) {
   if (!writer_) return fail(ErrorCode::kCancelled, "nothing was recorded: it ended before the countdown did");
   TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId recording, writer_->finish(outcome, placed));
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t node, file_.commit(AddDemonstration{recording, name_}));
-  const DemonstrationId id{node};
-  TROCAR_RETURN_IF_ERROR(add_notes(id));
-  if (!punch_) return id;
-  demonstration::Splice splice;
-  splice.source = id.value;
-  splice.clip_to_s = duration_s();
-  splice.at_s = punch_->span.begin_s;
-  splice.until_s = punch_->span.end_s;
-  splice.align = demonstration::Align::kAsRecorded;
-  splice.as_of = file_.head();
-  const auto before = file_.project()->demonstrations.at(punch_->into);
-  TROCAR_RETURN_IF_ERROR(file_.commit(EditDemonstration{punch_->into, splice}).map([](std::int64_t) {}));
-  if (leaps(last_, before->sample_at(punch_->span.end_s))) TROCAR_RETURN_IF_ERROR(ease_out());
-  return punch_->into;
-}
-
-Status TakeWriter::ease_out() {
-  demonstration::Bridge bridge;
-  bridge.from_s = punch_->span.begin_s + duration_s();
-  const double end_s = file_.project()->demonstrations.at(punch_->into)->full_duration_s();
-  bridge.to_s = std::min(bridge.from_s + kEaseOut_s, end_s);
-  return file_.commit(EditDemonstration{punch_->into, bridge}).map([](std::int64_t) {});
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t node, file_.commit(edit_for(recording)));
+  take_ = DemonstrationId{node};
+  return target_ ? target_->into : take_;
 }
 
 Status TakeWriter::discard() {

@@ -21,17 +21,20 @@ struct TakePart {
 /// Threads: the session's.
 TakePart take_part(trial::LiveSession& session);
 
-/// A take that replaces a span of another demonstration.
-struct PunchIn {
+/// A take replaces a span of another demonstration: what the arms that are recorded do there. Nothing moves in time. If
+/// the take ends before the span does, what was there goes on from where it ended.
+struct TakeTarget {
   DemonstrationId into;
   TimeSpan span;
+  demonstration::Arms arms =
+      demonstration::Arms::kBoth;  ///< Those that are recorded; a replayed one keeps what it did.
 };
 
 /// Threads: the project's. The project file must outlive it and stay where it is.
 class TakeWriter {
  public:
   TakeWriter(ProjectFile& file, demonstration::Provenance provenance, std::string name,
-             std::optional<PunchIn> punch = std::nullopt);
+             std::optional<TakeTarget> target = std::nullopt);
 
   /// Errors: those of `ProjectFile::begin_recording` and `RecordingWriter::add`.
   Status write(const TakePart& part);
@@ -40,21 +43,27 @@ class TakeWriter {
   double duration_s() const;
   const std::string& name() const { return name_; }
 
-  /// Adds the demonstration with its notes; a punch-in also replaces the span, and its demonstration is returned.
+  /// Adds the demonstration with its notes, as one step of the history; a punch-in also replaces the span, in the same
+  /// step, and its demonstration is returned.
   /// Errors: kCancelled if nothing was recorded; kIo.
   Result<DemonstrationId> finish(demonstration::Outcome outcome, bool placed);
+  /// What was recorded, once it is finished; a punch-in's is another than the demonstration that it went into.
+  DemonstrationId take() const { return take_; }
+  const std::optional<TakeTarget>& target() const { return target_; }
   /// Nothing of it stays.
   Status discard();
 
  private:
-  Status add_notes(DemonstrationId id);
-  /// From where the take ended to the old motion, by an edit of its own.
-  Status ease_out();
+  std::vector<demonstration::Edit> note_edits() const;
+  Edit edit_for(demonstration::RecordingId recording) const;
+  /// How long the arms may take from where the take ended to their old motion.
+  double ease_s() const;
 
   ProjectFile& file_;
   demonstration::Provenance provenance_;
   std::string name_;
-  std::optional<PunchIn> punch_;
+  std::optional<TakeTarget> target_;
+  DemonstrationId take_;
   std::optional<RecordingWriter> writer_;
   std::vector<trial::TakeNote> notes_;
   std::int64_t samples_ = 0;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "engine/review/fixes.h"
+#include "engine/workbench/batch.h"
 #include "engine/workbench/review_goals.h"
 #include "engine/workbench/workbench_impl.h"
 
@@ -73,15 +74,10 @@ void Workbench::Impl::on(const FixProblems& command) {
                        if (demonstration(shown->id) != shown) {
                          return fail(ErrorCode::kCheckFailed, "the demonstration was changed meanwhile");
                        }
-                       for (const demonstration::Edit& edit : *edits) {
-                         const Result<std::int64_t> made = file->commit(EditDemonstration{shown->id, edit});
-                         if (!made) {
-                           refresh_document();
-                           return tl::unexpected(made.error());
-                         }
-                       }
+                       if (edits->empty()) return {};
+                       const Result<std::int64_t> made = file->commit(mending(*shown, *edits));
                        refresh_document();
-                       return {};
+                       return made.map([](std::int64_t) {});
                      }};
   };
   jobs.start("Fix problems of " + shown->name, work);

@@ -35,15 +35,16 @@ class Check(CommandLineTest):
         self.answer("undo", project)
         self.assertEqual(self.answer("demo", "show", project, "1")["hash"], hash_before)
 
-    def test_fixing_all_leaves_no_error_and_every_fix_can_be_undone(self):
+    def test_fixing_all_leaves_no_error_and_is_undone_in_one_step(self):
         project = self.broken_project()
         edits = self.answer("info", project)["edits"]
         answer = self.answer("demo", "check", project, "1", "--fix", "all", "--simulate")
         self.assertEqual(self.collisions(answer), [])
         self.assertIs(answer["simulation"]["transferred"], True)
-        self.assertEqual(self.answer("info", project)["edits"], edits + len(answer["fixed"]))
-        for _ in answer["fixed"]:
-            self.answer("undo", project)
+        self.assertEqual(self.answer("info", project)["edits"], edits + 1)
+        stack = self.answer("demo", "stack", project, "1")["stack"]
+        self.assertEqual([entry["id"] for entry in stack[1:]], [fixed["id"] for fixed in answer["fixed"]])
+        self.answer("undo", project)
         self.assertTrue(self.collisions(self.answer("demo", "check", project, "1", code=CHECK_FAILED)))
 
     def test_jaws_that_open_on_the_way_drop_the_block_and_that_is_said(self):

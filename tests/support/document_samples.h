@@ -46,4 +46,19 @@ inline demonstration::Demonstration moving_demonstration(int count) {
       .value();
 }
 
+/// The same motion, `count` samples at another rate, as a camera or another robot gives them.
+inline demonstration::Demonstration slow_demonstration(int count, double rate_hz) {
+  demonstration::Recording recording;
+  recording.provenance.operator_kind = "imported";
+  for (int i = 0; i < count; ++i) {
+    const std::int64_t tick = std::llround(1000.0 * i / rate_hz);
+    recording.samples.push_back(moving_sample(static_cast<int>(tick / demonstration::kTicksPerSample)));
+    recording.samples.back().tick = tick;
+    recording.samples.back().segment = static_cast<demonstration::Segment>(i * demonstration::kSegmentCount / count);
+  }
+  return demonstration::make_demonstration({1}, "Slow",
+                                           std::make_shared<const demonstration::Recording>(std::move(recording)))
+      .value();
+}
+
 }  // namespace trocar::testing

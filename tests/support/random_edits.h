@@ -12,7 +12,8 @@
 
 namespace trocar::testing {
 
-/// Every kind of edit comes up; times lie within `length_s`. A splice takes its clip from `source`, if there is one.
+/// Every kind of edit comes up; times lie within `length_s`. A splice or overdub takes its clip from `source`, if there
+/// is one.
 inline demonstration::Edit random_edit(Random& random, double length_s,
                                        const demonstration::Demonstration* source = nullptr) {
   using namespace demonstration;
@@ -34,6 +35,7 @@ inline demonstration::Edit random_edit(Random& random, double length_s,
       ProposeLabels{},
       DeleteSpan{from_s, from_s + 0.1 * (to_s - from_s), random.below(2) == 0},
       Splice{1, from_s, to_s, b, random.below(2) == 0 ? 0.0 : b + 0.2, static_cast<Align>(random.below(3)), 0, clip},
+      Overdub{1, from_s, to_s, b, arms, random.below(2) == 0 ? 0.0 : 0.3, 0, clip},
       Bridge{from_s, to_s, arms, static_cast<BridgeShape>(random.below(2)), random.below(2) == 0 ? 0.0 : 0.05, {by}},
       MoveTool{arms, a, by, 0.5, static_cast<Falloff>(random.below(4))},
       RotateTool{arms, a, 50.0 * by, static_cast<TurnFrame>(random.below(2)), 0.5, Falloff::kSmooth},

@@ -68,8 +68,16 @@ void RecordForm::draw_replayed(Ui& ui, const WorkbenchState& state) {
   replayed_ = std::clamp(replayed_, 0, static_cast<int>(names.size()) - 1);
   if (state.selection) {
     form_label(ui, "Punch in");
-    checkbox(ui, fmt::format("Replace {} – {}", seconds(state.selection->begin_s), seconds(state.selection->end_s)),
-             punch_, {.help = "Record only what is selected, and put it in place of that; undo brings it back"});
+    const std::string label =
+        fmt::format("Replace {} – {}", seconds(state.selection->begin_s), seconds(state.selection->end_s));
+    constexpr std::string_view kHelp =
+        "Record only what is selected, in place of what an arm did there. An arm that replays keeps what it did; "
+        "nothing moves in time; one step to undo";
+    if (checkbox(ui, label, punch_, {.help = kHelp}) && punch_) {
+      // Who mends what one arm did wants the other as it was.
+      std::replace(sources_.begin(), sources_.end(), static_cast<int>(trial::ArmSource::kScripted),
+                   static_cast<int>(trial::ArmSource::kReplay));
+    }
   }
   form_label(ui, "Replay of");
   const char* reason = punch_ ? "What is selected is a part of this one" : replays() ? "" : "No arm is replayed";

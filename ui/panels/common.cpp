@@ -122,9 +122,10 @@ Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome) {
   return theme.text_dim;
 }
 
-std::string outcome_words(const demonstration::Recording& recording) {
-  if (recording.outcome == demonstration::Outcome::kSuccess) return recording.placed ? "placed" : "success";
-  return std::string(demonstration::to_string(recording.outcome));
+std::string outcome_words(const demonstration::Demonstration& shown) {
+  if (shown.motion_edited()) return "edited since";
+  if (shown.outcome() == demonstration::Outcome::kSuccess) return shown.placed() ? "placed" : "success";
+  return std::string(demonstration::to_string(shown.outcome()));
 }
 
 const char* outcome_sign(demonstration::Outcome outcome) {

@@ -28,8 +28,9 @@ void segment_chip(Ui& ui, demonstration::Segment segment, bool present, float si
 void segment_chips(Ui& ui, const demonstration::Demonstration& shown, float size);
 
 Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome);
-/// "placed", "dropped" …: the outcome in one word; its sign makes it more than a colour.
-std::string outcome_words(const demonstration::Recording& recording);
+/// "placed", "dropped" …: the outcome in one word, "edited since" once the motion is another than that which had it;
+/// its sign makes it more than a colour.
+std::string outcome_words(const demonstration::Demonstration& shown);
 const char* outcome_sign(demonstration::Outcome outcome);
 
 /// Each with a sign in front, wrapped.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,14 @@ std::string with_sign(double value, int digits, std::string_view unit) {
 std::string was_words(double before, double after, int digits, std::string_view unit) {
   return fmt::format("{:.{}f} {}, was {:.{}f} ({})", after, digits, unit, before, digits,
                      with_sign(after - before, digits, unit));
+}
+
+std::string was_words(std::optional<double> before, std::optional<double> after, int digits, std::string_view unit) {
+  if (before && after) return was_words(*before, *after, digits, unit);
+  const auto told = [&](std::optional<double> value) {
+    return value ? fmt::format("{:.{}f} {}", *value, digits, unit) : std::string("unknown");
+  };
+  return fmt::format("{}, was {}", told(after), told(before));
 }
 
 void draw_facts(Ui& ui, const Comparison& comparison) {

@@ -192,6 +192,14 @@ void EditsPanel::draw_outcome(Ui& ui, const WorkbenchState& state) {
   fact(ui, "Moved", count(difference.moved) + " samples");
   fact(ui, "Furthest", fmt::format("{:.2f} mm", 1e3 * difference.max_deviation_m));
   fact(ui, "Problems", problems_with(state));
+  for (const demonstration::SnapFigures& figures : state.preview->snap) {
+    const char* tool = figures.arm == 0 ? "left" : "right";
+    fact(ui, fmt::format("Actions, {}", tool), count(figures.actions));
+    fact(ui, fmt::format("Error, {}", tool),
+         fmt::format("max {:.2f}, mean {:.2f} mm", 1e3 * figures.max_error_m, 1e3 * figures.mean_error_m));
+    fact(ui, fmt::format("Cells, {}", tool),
+         fmt::format("{} skipped, {} repeated", figures.skipped_cells, figures.repeated_cells));
+  }
 }
 
 void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& requests) {
@@ -267,6 +275,9 @@ void EditsPanel::draw_entry(Ui& ui, const WorkbenchState& state, const Demonstra
     requests.emplace_back(Command{CommitEdit{workbench::RemoveStackEntry{shown.id, entry.id}}});
   }
   ImGui::PopStyleVar();
+  if (!entry.conflict.empty()) {
+    wrapped_text(ui, fmt::format("{} Conflict, passed over: {}", icon::kWarning, entry.conflict), ui.theme().warning);
+  }
 }
 
 void EditsPanel::draw_stack(Ui& ui, const WorkbenchState& state, const Demonstration& shown, Requests& requests) {

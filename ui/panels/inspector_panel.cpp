@@ -153,8 +153,15 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
     requests.emplace_back(
         Command{workbench::CommitEdit{workbench::EditDemonstration{shown->id, demonstration::Rename{name_}}}});
   }
-  badge(ui, outcome_sign(shown->recording->outcome), outcome_words(*shown->recording),
-        outcome_colour(ui.theme(), shown->recording->outcome));
+  const demonstration::Outcome outcome = shown->outcome();
+  const std::string recorded(demonstration::to_string(shown->recording->outcome));
+  const std::string why = shown->motion_edited()
+                              ? fmt::format(
+                                    "How it ends is unknown: what was recorded ended as {}, and its motion was "
+                                    "edited since; simulate it to know",
+                                    recorded)
+                              : "";
+  badge(ui, outcome_sign(outcome), outcome_words(*shown), outcome_colour(ui.theme(), outcome), why);
   if (shown->recording->recovered) {
     flow(badge_width(ui, icon::kWarning, "recovered"), ui.px(8));
     badge(ui, icon::kWarning, "recovered", ui.theme().warning, "Salvaged after a crash");

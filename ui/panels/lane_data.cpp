@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/demonstration/motion.h"
+#include "engine/demonstration/sampling_rate.h"
 
 namespace trocar::ui {
 namespace {
@@ -42,11 +43,13 @@ void LaneData::find_runs(const demonstration::Demonstration& shown) {
   gaps_.clear();
   jaw_low_ = 0.0F;
   jaw_high_ = 0.1F;
-  double last_s = shown.samples.empty() ? 0.0 : shown.time_of(shown.samples[0]);
+  for (const demonstration::SampleGap& gap : demonstration::sample_gaps(shown.samples)) {
+    const auto time_s = [&](std::size_t i) { return Tick{shown.samples.tick(i) - shown.first_tick()}.seconds(); };
+    const double begin_s = time_s(gap.after - 1);
+    const double end_s = time_s(gap.after);
+    if (end_s - begin_s > demonstration::kMotionGap_s) gaps_.push_back({begin_s, end_s, 1});
+  }
   for (const Sample& sample : shown.samples) {
-    const double now_s = shown.time_of(sample);
-    if (now_s - last_s > demonstration::kMotionGap_s) gaps_.push_back({last_s, now_s, 1});
-    last_s = now_s;
     for (const auto& arm : sample.arms) {
       jaw_low_ = std::min(jaw_low_, arm.jaw_rad);
       jaw_high_ = std::max(jaw_high_, arm.jaw_rad);

@@ -38,7 +38,7 @@ class LaneData {
   const std::vector<Extent>& jaw(int arm) const { return jaw_[static_cast<std::size_t>(arm)]; }
   /// What the grippers do, by time.
   const std::vector<demonstration::Event>& events() const { return events_; }
-  /// Where samples are missing, longer than `demonstration::kMotionGap_s`: to be bridged.
+  /// Where samples are missing, longer than `demonstration::kMotionGap_s` and than what is usual there: to be bridged.
   const std::vector<Run>& gaps() const { return gaps_; }
   /// Where each edit of the stack has worked.
   const std::vector<demonstration::EditSpan>& edits() const { return edits_; }

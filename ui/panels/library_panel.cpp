@@ -23,10 +23,10 @@ void right_aligned(std::string_view words, float right) {
 }
 
 // Its sign alone, with the word as tooltip, where there is no room for both.
-void draw_outcome(Ui& ui, const demonstration::Recording& recording, float room) {
-  const char* sign = outcome_sign(recording.outcome);
-  const std::string words = outcome_words(recording);
-  const Rgba colour = outcome_colour(ui.theme(), recording.outcome);
+void draw_outcome(Ui& ui, const demonstration::Demonstration& shown, float room) {
+  const char* sign = outcome_sign(shown.outcome());
+  const std::string words = outcome_words(shown);
+  const Rgba colour = outcome_colour(ui.theme(), shown.outcome());
   if (badge_width(ui, sign, words) <= room) return badge(ui, sign, words, colour);
   const ColourScope tint(ImGuiCol_Text, colour);
   ImGui::TextUnformatted(sign);
@@ -46,7 +46,7 @@ void draw_card(Ui& ui, const Demonstration& shown, float width) {
   ImGui::SetCursorPosX(left);
   segment_chips(ui, shown, ui.px(17));
   ImGui::SameLine(0.0F, ui.px(8));
-  draw_outcome(ui, *shown.recording, left + width - ImGui::GetCursorPosX());
+  draw_outcome(ui, shown, left + width - ImGui::GetCursorPosX());
   const FontScope font(ui.fonts().small);
   const ColourScope dim(ImGuiCol_Text, ui.theme().text_dim);
   const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8);
@@ -71,9 +71,8 @@ void text_cell(std::string_view words) {
 std::string summary(const Demonstration& shown) {
   std::string segments;
   for (const auto& span : shown.segments) segments += demonstration::letter(span.label);
-  return seconds(shown.duration_s()) + " " + segments + " " +
-         std::string(demonstration::to_string(shown.recording->outcome)) + " " +
-         provenance_words(shown.recording->provenance);
+  return seconds(shown.duration_s()) + " " + segments + " " + std::string(demonstration::to_string(shown.outcome())) +
+         " " + provenance_words(shown.recording->provenance);
 }
 
 // A selectable card of two lines; returns whether it was clicked.

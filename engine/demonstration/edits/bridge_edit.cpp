@@ -8,6 +8,7 @@
 #include "engine/demonstration/edits/edit_functions.h"
 #include "engine/demonstration/edits/stretch.h"
 #include "engine/demonstration/motion.h"
+#include "engine/demonstration/sampling_rate.h"
 #include "engine/peg_board/peg_board.h"
 
 namespace trocar::demonstration {
@@ -85,8 +86,32 @@ Result<std::pair<std::size_t, std::size_t>> ends_of(const Demonstration& documen
   return fail(ErrorCode::kInvalidArgument, "a bridge needs a sample before its begin and one after its end");
 }
 
+/// From one new sample to the next, in ticks. Errors: kInvalidArgument.
+Result<std::int64_t> step_of(const Bridge& edit, const SampleTrack& track, std::size_t first, std::size_t last) {
+  if (edit.rate_hz == 0.0) return step_between(track, first, last);
+  constexpr double kSlowest_hz = 0.1;
+  if (!(edit.rate_hz >= kSlowest_hz && edit.rate_hz <= Tick::kPerSecond)) {
+    return fail(ErrorCode::kInvalidArgument, "the rate of a bridge must be 0 or from 0.1 to 1000 Hz");
+  }
+  return std::max<std::int64_t>(std::llround(Tick::kPerSecond / edit.rate_hz), 1);
+}
+
+/// When the new samples come, in ticks from the begin; `length` is not among them.
+std::vector<std::int64_t> times_of(const Bridge& edit, std::int64_t step, std::int64_t length) {
+  std::vector<std::int64_t> times;
+  if (edit.rate_hz != 0.0) {
+    for (std::int64_t tick = step; tick < length; tick += step) times.push_back(tick);
+    return times;
+  }
+  // Evenly, so that the last step is no shorter than the others.
+  const std::int64_t count = std::max<std::int64_t>((2 * length + step) / (2 * step), 1);
+  for (std::int64_t i = 1; i < count; ++i) times.push_back((2 * i * length + count) / (2 * count));
+  return times;
+}
+
 /// In ticks, a whole number of samples. Errors: kInvalidArgument.
-Result<std::int64_t> length_of(const Bridge& edit, const std::vector<Polyline>& lines, std::int64_t as_it_is) {
+Result<std::int64_t> length_of(const Bridge& edit, const std::vector<Polyline>& lines, std::int64_t as_it_is,
+                               std::int64_t step) {
   constexpr std::int64_t kLongest = 3600 * Tick::kPerSecond;
   std::int64_t length = as_it_is;
   if (edit.peak_speed_m_s != 0.0) {
@@ -94,8 +119,8 @@ Result<std::int64_t> length_of(const Bridge& edit, const std::vector<Polyline>& 
     double longest_m = 0.0;
     for (const Polyline& line : lines) longest_m = std::max(longest_m, line.length_m());
     const double seconds = peak_of(edit.shape) * longest_m / edit.peak_speed_m_s;
-    const double steps = std::min(seconds * 1000.0 / kTicksPerSample, 1e9);
-    length = std::max<std::int64_t>(std::llround(steps), 1) * kTicksPerSample;
+    const double steps = std::min(seconds * 1000.0 / static_cast<double>(step), 1e9);
+    length = std::max<std::int64_t>(std::llround(steps), 1) * step;
   }
   if (length > kLongest) return fail(ErrorCode::kInvalidArgument, "the bridge would last for more than an hour");
   return length;
@@ -136,12 +161,13 @@ Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit)
   std::vector<Polyline> lines;
   lines.reserve(arms.size());
   for (const std::size_t arm : arms) lines.push_back(line_of(from, to, arm, edit));
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t length, length_of(edit, lines, to.tick - from.tick));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t step, step_of(edit, document.samples, first, last));
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t length, length_of(edit, lines, to.tick - from.tick, step));
   // What the arm that is not bridged does goes on, stretched if need be.
   const std::vector<Sample> before = document.samples.slice(first, last + 1 - first).to_vector();
   TrackReader reader(before);
   std::vector<Sample> made;
-  for (std::int64_t tick = kTicksPerSample; tick < length; tick += kTicksPerSample) {
+  for (const std::int64_t tick : times_of(edit, step, length)) {
     const double share = static_cast<double>(tick) / static_cast<double>(length);
     Sample sample = reader.at(static_cast<double>(from.tick) + share * static_cast<double>(to.tick - from.tick));
     for (std::size_t i = 0; i < arms.size(); ++i) {

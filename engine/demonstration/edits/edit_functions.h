@@ -16,6 +16,7 @@ Result<Demonstration> made_by(const Demonstration& document, const LabelSegment&
 Result<Demonstration> made_by(const Demonstration& document, const ProposeLabels& edit);
 Result<Demonstration> made_by(const Demonstration& document, const DeleteSpan& edit);
 Result<Demonstration> made_by(const Demonstration& document, const Splice& edit);
+Result<Demonstration> made_by(const Demonstration& document, const Overdub& edit);
 Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit);
 Result<Demonstration> made_by(const Demonstration& document, const MoveTool& edit);
 Result<Demonstration> made_by(const Demonstration& document, const RotateTool& edit);

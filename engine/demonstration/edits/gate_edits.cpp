@@ -14,7 +14,7 @@ namespace {
 /// Idle spans that are to be cut out between the gates, margins left, the last one first.
 std::vector<SegmentSpan> pauses(const Demonstration& document, const TrimIdle& edit) {
   std::vector<SegmentSpan> cuts;
-  for (const IdleSpan& idle : idle_spans(document, {edit.speed_m_s, edit.longer_s})) {
+  for (const IdleSpan& idle : idle_spans(document, {edit.speed_m_s, edit.longer_s, edit.keep_s, edit.window_s})) {
     const bool at_end = idle.begin_s <= document.begin_s || idle.end_s >= document.end_s;
     const SegmentSpan cut{Segment::kA, idle.begin_s + edit.keep_s, idle.end_s - edit.keep_s};
     if (!at_end && cut.begin_s < cut.end_s) cuts.insert(cuts.begin(), cut);
@@ -42,6 +42,9 @@ Result<Demonstration> made_by(const Demonstration& document, const TrimIdle& edi
   if (!(edit.keep_s >= 0.0) || edit.keep_s > 1e3) {
     return fail(ErrorCode::kInvalidArgument, "what stays of a pause must be a number from 0");
   }
+  if (!(edit.window_s >= 0.0) || edit.window_s > 60.0) {
+    return fail(ErrorCode::kInvalidArgument, "the time over which speeds are measured must be from 0 to 60 s");
+  }
   Demonstration edited = document;
   if (edit.inside) {
     for (const SegmentSpan& cut : pauses(document, edit)) {
@@ -50,7 +53,7 @@ Result<Demonstration> made_by(const Demonstration& document, const TrimIdle& edi
   }
   bool trimmed = edited.samples.size() != document.samples.size();
   if (edit.ends) {
-    const auto gates = idle_ends(edited, {edit.speed_m_s, edit.longer_s, edit.keep_s});
+    const auto gates = idle_ends(edited, {edit.speed_m_s, edit.longer_s, edit.keep_s, edit.window_s});
     if (gates) {
       TROCAR_ASSIGN_OR_RETURN(edited, made_by(edited, *gates));
       trimmed = true;

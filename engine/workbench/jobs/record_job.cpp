@@ -30,6 +30,8 @@ Status carry_on(trial::LiveSession& session, TakeWriter& writer, Progress& progr
 Result<RecordReport> finish(const trial::LiveSession& session, TakeWriter& writer) {
   RecordReport report{{}, session.outcome(), session.placed(), writer.duration_s(), writer.samples(), writer.name()};
   TROCAR_ASSIGN_OR_RETURN(report.id, writer.finish(report.outcome, report.placed));
+  report.take = writer.take();
+  if (writer.target()) report.replaced = writer.target();
   return report;
 }
 
@@ -96,7 +98,7 @@ Result<RecordReport> record_keys(ProjectFile& file, const RecordByHand& request,
   plan.options.device = "key script";
   TROCAR_ASSIGN_OR_RETURN(const std::unique_ptr<trial::HandSession> session,
                           trial::HandSession::create(std::move(plan.options)));
-  TakeWriter writer(file, session->provenance(), std::move(plan.name), plan.punch);
+  TakeWriter writer(file, session->provenance(), std::move(plan.name), plan.target);
   std::optional<KeyPlayer> player;
   while (!session->done()) {
     for (int tick = 0; tick < kTicksPerPart && !session->done(); ++tick) {

@@ -1,6 +1,7 @@
 /// Records a transfer by the scripted operators into a project, as fast as the simulator goes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,13 @@
 #include "engine/trial/transfer_session.h"
 #include "engine/workbench/command.h"
 #include "engine/workbench/project_file.h"
+#include "engine/workbench/take_writer.h"
 
 namespace trocar::workbench {
 
+/// Of the take, but for `id`.
 struct RecordReport {
-  DemonstrationId id;
+  DemonstrationId id;  ///< To be looked at now: the take, or the demonstration of which it replaced a part.
   demonstration::Outcome outcome = demonstration::Outcome::kUnfinished;
   bool placed = false;
   double duration_s = 0.0;
@@ -23,6 +26,8 @@ struct RecordReport {
   std::string name;
   std::int64_t limited = 0;  ///< Samples at which an arm was at a limit; of takes by keys.
   std::int64_t refused = 0;  ///< Samples at which an arm could not reach what was wished; likewise.
+  DemonstrationId take{};
+  std::optional<TakeTarget> replaced{};  ///< Where a punch-in went.
 };
 
 /// "Expert 3": the skill and the first number that is free.

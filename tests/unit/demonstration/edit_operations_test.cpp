@@ -8,6 +8,8 @@
 #include "engine/demonstration/edits.h"
 #include "engine/demonstration/motion.h"
 #include "engine/demonstration/quick_edits.h"
+#include "engine/demonstration/sampling_rate.h"
+#include "engine/demonstration/snap_figures.h"
 #include "engine/peg_board/peg_board.h"
 #include "tests/support/document_samples.h"
 #include "tests/support/random_edits.h"
@@ -79,10 +81,9 @@ TEST_CASE("the stack gives again, from the recording, what its edits gave one af
       Result<Demonstration> after = apply(document, testing::random_edit(random, 2.0, &document), i);
       if (after) document = std::move(*after);
     }
-    const Result<Demonstration> again = with_stack(document, *document.stack);
-    RC_ASSERT(again.has_value());
-    RC_ASSERT(again->hash() == document.hash());
-    RC_ASSERT(again->name == document.name);
+    const Demonstration again = with_stack(document, *document.stack);
+    RC_ASSERT(again.hash() == document.hash());
+    RC_ASSERT(again.name == document.name);
   }));
 }
 
@@ -221,6 +222,36 @@ TEST_CASE("a bridge over the pegs goes up, across and down, and rests at its cor
   CHECK(highest_m > over_m);
 }
 
+TEST_CASE("a bridge is as dense as what is beside it, and one of a journal from before fills at 200 Hz") {
+  const Demonstration document = testing::slow_demonstration(120, 30.0);
+  const Demonstration lifted = applied(document, DeleteSpan{1.0, 1.5, false});
+  Bridge bridge;
+  bridge.from_s = 1.0;
+  bridge.to_s = 1.5;
+  const Demonstration bridged = applied(lifted, bridge);
+  CHECK(bridged.samples.size() == document.samples.size());
+  for (std::size_t i = 1; i < bridged.samples.size(); ++i) {
+    const std::int64_t step = bridged.samples.tick(i) - bridged.samples.tick(i - 1);
+    CHECK((step >= 32 && step <= 35));
+  }
+  CHECK(sample_gaps(bridged.samples).empty());
+  const auto old = edit_from_json("bridge", R"({"from_s": 1.0, "to_s": 1.5, "arms": "both", "shape": "minimum-jerk",
+                                                 "peak_speed_m_s": 0.0, "via_m": [], "model": 0})");
+  REQUIRE(old);
+  CHECK(std::get<Bridge>(*old).rate_hz == 200.0);
+  const Demonstration as_then = applied(lifted, *old);
+  const std::size_t first = as_then.samples.lower_bound(as_then.tick_from(1.0));
+  CHECK(as_then.samples.tick(first + 1) - as_then.samples.tick(first) == 5);
+  Bridge dense = bridge;
+  dense.rate_hz = 5000.0;
+  CHECK_FALSE(apply(lifted, dense));
+  // At 200 Hz both are the same.
+  const Demonstration quick = applied(testing::moving_demonstration(1000), DeleteSpan{1.0, 1.5, false});
+  Bridge by_rate = bridge;
+  by_rate.rate_hz = 200.0;
+  CHECK(applied(quick, by_rate).hash() == applied(quick, bridge).hash());
+}
+
 TEST_CASE("a bridge of a journal from before there were policies is read") {
   const auto edit = edit_from_json(
       "bridge",
@@ -288,6 +319,58 @@ TEST_CASE("a path that was snapped makes single legal actions and passes cell ce
   for (Sample& sample : outside.samples) sample.arms[0].measured.p[2] = 0.2F;
   const auto far = make_demonstration({1}, "Far", std::make_shared<const Recording>(std::move(outside))).value();
   CHECK(apply(far, SnapToGrid{0.0, 0.4}).error().text() == "the tool leaves the agent's lattice at 0.00 s");
+}
+
+TEST_CASE("a path that was snapped and is snapped again stays as it is, bit for bit; a journal from before repeats") {
+  const Demonstration document = testing::moving_demonstration(2000);
+  for (const bool keep_offset : {false, true}) {
+    SnapToGrid snap{0.0, 4.0, Arms::kLeft, keep_offset};
+    const Demonstration once = applied(document, snap);
+    CHECK(once.hash() != document.hash());
+    CHECK(applied(once, snap).hash() == once.hash());
+    snap.keep_snapped = false;
+    CHECK(applied(document, snap).hash() == once.hash());
+    CHECK(applied(once, snap).hash() != once.hash());
+  }
+  const auto old = edit_from_json("snap", R"({"from_s": 0.0, "to_s": 9.0, "arms": "both", "keep_offset": false})");
+  REQUIRE(old);
+  CHECK_FALSE(std::get<SnapToGrid>(*old).keep_snapped);
+}
+
+TEST_CASE("what snapping costs is told: its actions, how far it moves samples, cells filled in and come back to") {
+  Recording recording = testing::moving_recording(8);
+  const spatial::Grid grid;
+  const auto at = [&](std::size_t i, int x, int y, double off_m) {
+    const Eigen::Vector3d p_WT = grid.centre(grid.index({x, y, 10})) + Eigen::Vector3d(0.0, off_m, off_m);
+    recording.samples[i].arms[0].measured = CompactPose::from(spatial::Pose::translation(p_WT));
+  };
+  // There, a diagonal over one cell that no sample is in, and back again.
+  at(0, 5, 5, 0.0004);
+  at(1, 5, 5, 0.0004);
+  at(2, 6, 5, 0.0);
+  at(3, 7, 6, 0.0);
+  at(4, 7, 6, 0.0);
+  at(5, 7, 7, 0.0);
+  at(6, 7, 6, 0.0);
+  at(7, 7, 6, 0.0);
+  const auto document =
+      make_demonstration({1}, "Told", std::make_shared<const Recording>(std::move(recording))).value();
+  const auto told = snap_figures(document, SnapToGrid{0.0, 0.035}).value();
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].actions == 5);
+  CHECK(told[0].skipped_cells == 1);
+  CHECK(told[0].repeated_cells == 1);
+  const Demonstration snapped = applied(document, SnapToGrid{0.0, 0.035});
+  double greatest_m = 0.0;
+  double sum_m = 0.0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const double by_m = (measured_tip(snapped.samples[i], 0) - measured_tip(document.samples[i], 0)).norm();
+    greatest_m = std::max(greatest_m, by_m);
+    sum_m += by_m;
+  }
+  CHECK(told[0].max_error_m == doctest::Approx(greatest_m).epsilon(1e-4));
+  CHECK(told[0].mean_error_m == doctest::Approx(sum_m / 8.0).epsilon(1e-4));
+  CHECK(told[0].max_error_m >= 0.0004);
 }
 
 TEST_CASE("a jaw opens to the angle, on a ramp at both edges") {
@@ -374,7 +457,7 @@ TEST_CASE("an edit of the stack is switched off, moved, changed and removed with
   const std::uint64_t recorded = document.hash();
   document = apply(document, Offset{Arms::kLeft, {0.001, 0.0, 0.0}}, 1).value();
   document = apply(document, Trim{1.0, 4.0}, 2).value();
-  const auto restacked = [&](const Result<EditStack>& stack) { return with_stack(document, stack.value()).value(); };
+  const auto restacked = [&](const Result<EditStack>& stack) { return with_stack(document, stack.value()); };
   const Demonstration off = restacked(entry_enabled(*document.stack, 1, false));
   CHECK((tip(off, 2.0) - measured_tip(document.recorded[400], 0)).norm() == 0.0);
   CHECK(off.begin_s == 1.0);
@@ -382,12 +465,37 @@ TEST_CASE("an edit of the stack is switched off, moved, changed and removed with
   const Demonstration further = restacked(entry_replaced(*document.stack, 1, Offset{Arms::kLeft, {0.003, 0.0, 0.0}}));
   CHECK(tip(further, 2.0).x() - tip(document, 2.0).x() == doctest::Approx(0.002).epsilon(1e-4));
   const EditStack none = entry_removed(entry_removed(*document.stack, 1).value(), 2).value();
-  CHECK(with_stack(document, none).value().hash() == recorded);
+  CHECK(with_stack(document, none).hash() == recorded);
   CHECK_FALSE(entry_enabled(*document.stack, 9, false));
-  const Result<Demonstration> broken =
-      with_stack(document, entry_replaced(*document.stack, 2, Trim{80.0, 90.0}).value());
-  REQUIRE_FALSE(broken);
-  CHECK(broken.error().text().starts_with("edit 2 (trim) can then not be applied: "));
+}
+
+TEST_CASE("an edit whose span is gone is passed over and says why, and is applied again when the span is back") {
+  Demonstration document = testing::moving_demonstration(1000);
+  document = apply(document, DeleteSpan{4.0, 5.0, true}, 1).value();
+  document = apply(document, Offset{Arms::kLeft, {0.001, 0.0, 0.0}}, 2).value();
+  const std::uint64_t before = document.hash();
+  document = with_stack(document, entry_enabled(*document.stack, 1, false).value());
+  document = apply(document, Smooth{4.2, 4.8}, 3).value();
+  const std::uint64_t smoothed = document.hash();
+  const Demonstration conflict = with_stack(document, entry_enabled(*document.stack, 1, true).value());
+  REQUIRE(conflict.stack->size() == 3);
+  CHECK(conflict.stack->at(0).conflict.empty());
+  CHECK(conflict.stack->at(1).conflict.empty());
+  CHECK(conflict.stack->at(2).conflict.starts_with("4.200–4.800 s holds 0 samples"));
+  CHECK(conflict.stack->at(2).enabled);
+  CHECK(conflict.hash() == before);
+  const Demonstration back = with_stack(conflict, entry_removed(*conflict.stack, 1).value());
+  CHECK(back.stack->back().conflict.empty());
+  CHECK(back.hash() == smoothed);
+}
+
+TEST_CASE("the id of an edit is read as it is written, of one step and of several") {
+  CHECK(entry_words(12) == "12");
+  CHECK(entry_words(entry_id(12, 3)) == "12.3");
+  CHECK(entry_from("12") == 12);
+  CHECK(entry_from("12.3") == entry_id(12, 3));
+  CHECK(entry_from(std::to_string(entry_id(12, 3))) == entry_id(12, 3));
+  for (const char* wrong : {"", "x", "12.", ".3", "12.x", "-1", "12.99999999999"}) CHECK_FALSE(entry_from(wrong));
 }
 
 TEST_CASE("huge parameters and a gap of years are refused in a sentence, at once") {

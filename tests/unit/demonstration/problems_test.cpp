@@ -71,6 +71,31 @@ TEST_CASE("a gap is a warning, a long one an error") {
   CHECK(with_gap(1000)[0].severity == Severity::kError);
 }
 
+TEST_CASE("a gap is one by the rate beside it: 30 Hz has none, nor where 200 Hz follow, and one dropped frame is one") {
+  const Demonstration slow = testing::slow_demonstration(120, 30.0);
+  const auto time = [](const Demonstration& document) {
+    auto found = problems(document, spatial::Grid{});
+    std::erase_if(found, [](const Problem& problem) { return problem.kind != ProblemKind::kTime; });
+    return found;
+  };
+  CHECK(time(slow).empty());
+  Recording recording = *slow.recording;
+  const std::int64_t last = recording.samples.back().tick;
+  for (int i = 1; i < 400; ++i) {
+    recording.samples.push_back(recording.samples.back());
+    recording.samples.back().tick = last + std::int64_t{i} * kTicksPerSample;
+  }
+  const auto remade = [](Recording changed) {
+    return make_demonstration({1}, "Mixed", std::make_shared<const Recording>(std::move(changed))).value();
+  };
+  CHECK(time(remade(recording)).empty());
+  recording.samples.erase(recording.samples.begin() + 61);
+  const auto dropped = time(remade(recording));
+  REQUIRE(dropped.size() == 1);
+  CHECK(dropped[0].message == "no sample for 67 ms where one comes every 33 ms");
+  CHECK(dropped[0].severity == Severity::kWarning);
+}
+
 TEST_CASE("a rotation that is not of unit length is an error") {
   const auto found = of_kind(changed(100,
                                      [](std::vector<Sample>& samples) {
@@ -248,7 +273,7 @@ TEST_CASE("quality measures a straight motion at constant speed exactly") {
   CHECK(measured.path_length_m[1] == 0.0);
   CHECK(measured.mean_speed_m_s[0] == doctest::Approx(0.02).epsilon(1e-5));
   CHECK(measured.peak_speed_m_s[0] == doctest::Approx(0.02).epsilon(1e-3));
-  CHECK(measured.mean_jerk_m_s3[0] < 0.01);
+  CHECK(measured.mean_jerk_m_s3[0].value() < 0.01);
   CHECK(measured.rate_hz == doctest::Approx(200.0));
   CHECK(measured.idle_share == 0.0);
 }

@@ -25,7 +25,9 @@ TEST_CASE("a key script is read in the order of its times") {
 
 TEST_CASE("a key script without an end goes on for a second") {
   CHECK(parse_key_script("0.5 tap Enter\n").value().back().at == Tick{1500});
-  CHECK(parse_key_script("").value().back().at == Tick{1000});
+  for (const char* empty : {"", "\n\n", "# nothing yet\n"}) {
+    CHECK(parse_key_script(empty).error().text() == "the script presses no key and does not end");
+  }
 }
 
 TEST_CASE("a broken line of a key script is named with what is wrong with it") {

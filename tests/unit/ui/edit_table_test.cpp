@@ -23,6 +23,7 @@ const std::map<std::string, std::vector<std::pair<std::string, std::string>>, st
     {"rename", {{"Name", "Another"}}},
     {"delete", {{"From", "2"}, {"To", "3"}}},
     {"splice", {{"Clip from", "1"}, {"Clip to", "2"}}},
+    {"overdub", {{"Clip from", "1"}, {"Clip to", "2"}}},
     {"bridge", {{"From", "2"}, {"To", "3"}}},
     {"move", {{"By", "0,0,2.5"}}},
     {"rotate", {{"By", "0,0,10"}}},
@@ -78,10 +79,13 @@ Edit typed_on_the_command_line(const workbench::CommitEdit& commit, const workbe
 }
 
 std::uint64_t hash_after(Edit edit, const Demonstration& before) {
-  if (auto* splice = std::get_if<demonstration::Splice>(&edit)) {
-    splice->clip = std::make_shared<const demonstration::Clip>(
-        demonstration::clip_of(before, splice->clip_from_s, splice->clip_to_s).value());
-  }
+  const auto find_clip = [&before](auto* taking) {
+    if (taking == nullptr) return;
+    taking->clip = std::make_shared<const demonstration::Clip>(
+        demonstration::clip_of(before, taking->clip_from_s, taking->clip_to_s).value());
+  };
+  find_clip(std::get_if<demonstration::Splice>(&edit));
+  find_clip(std::get_if<demonstration::Overdub>(&edit));
   const Result<Demonstration> after = demonstration::apply(before, edit, 99);
   if (!after) FAIL(after.error().text());
   return after->hash();

@@ -5,6 +5,7 @@
 #include "engine/workbench/edit_preview.h"
 #include "tests/support/ui_desk.h"
 #include "tests/support/ui_state.h"
+#include "ui/icons.h"
 
 namespace trocar::ui {
 namespace {
@@ -69,6 +70,43 @@ TEST_CASE("when the demonstration changes below an open form, its preview is ask
   desk.state.project = project;
   CHECK(desk.driver().frames(2));
   CHECK(desk.last<workbench::PreviewEdit>() != nullptr);
+}
+
+TEST_CASE("an edit whose span is gone says in the stack that it is passed over, and why") {
+  auto state = testing::made_state();
+  const auto shown = state.project->demonstrations.at({1});
+  const double end_s = shown->full_duration_s();
+  auto edited = demonstration::apply(*shown, demonstration::Smooth{end_s - 1.0, end_s - 0.5}, 11).value();
+  edited = demonstration::apply(edited, demonstration::DeleteSpan{end_s - 2.0, end_s, true}, 12).value();
+  const auto conflict = demonstration::with_stack(edited, demonstration::entry_moved(*edited.stack, 12, 0).value());
+  REQUIRE_FALSE(conflict.stack->back().conflict.empty());
+  const std::string words =
+      "Edits/Stack/2/" + std::string(icon::kWarning) + " Conflict, passed over: " + conflict.stack->back().conflict;
+  const auto shows = [&](const demonstration::Demonstration& document, bool present) {
+    auto project = std::make_shared<workbench::Project>(*state.project);
+    project->demonstrations[{1}] = std::make_shared<const demonstration::Demonstration>(document);
+    state.project = project;
+    Desk desk(state);
+    CHECK(text_of(desk.driver().click("Menu/Workspaces/Author")) == "");
+    CHECK(text_of(desk.driver().click("Tabs/Edits")) == "");
+    CHECK(desk.driver().frames(2));
+    return text_of(desk.driver().expect_present(words, present));
+  };
+  CHECK(shows(conflict, true) == "");
+  CHECK(shows(edited, false) == "");
+}
+
+TEST_CASE("the form of a snap tells its actions, its error and the cells that it fills in") {
+  EditDesk desk("Snap");
+  const auto shown = desk.state.project->demonstrations.at({1});
+  const demonstration::SnapToGrid snap{1.0, 2.0};
+  desk.state.preview = workbench::preview_of({shown, snap, 0, ""});
+  REQUIRE(desk.state.preview->error == "");
+  REQUIRE(desk.state.preview->snap.size() == 1);
+  CHECK(desk.driver().frames(2));
+  for (const char* fact : {"Actions, left", "Error, left", "Cells, left"}) {
+    CHECK(text_of(desk.driver().expect_present(std::string("Edits/Draft/") + fact, true)) == "");
+  }
 }
 
 TEST_CASE("an edit of the stack is switched off, moved and removed") {

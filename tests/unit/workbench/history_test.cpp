@@ -223,21 +223,27 @@ TEST_CASE("a split makes two that together are the whole, in one step of the his
 }
 
 TEST_CASE("every edit of the project reads back from its JSON as it was") {
-  const std::vector<Edit> edits{AddDemonstration{{3}, "Grasp \"über\""},
-                                CopyDemonstration{{3}, "b", {demonstration::Mirror{}, demonstration::Trim{0.5, 1.5}}},
-                                SplitDemonstration{{3}, 1.25, "rest"},
-                                EditDemonstration{{3}, splice({2}, 1, 0.5)},
-                                RemoveDemonstration{{4}},
-                                EditDemonstration{{5}, Trim{0.1, 1.0 / 3.0}},
-                                EditDemonstration{{5}, LabelSegment{Segment::kE, 0.0, 1e-9}},
-                                AddModel{6},
-                                RemoveModel{{7}},
-                                RestoreDemonstration{{4}},
-                                MarkDemonstration{{4}, {Flag::kBad, Verdict::kFailure, 3, {"a"}, {"b"}, "über"}},
-                                MarkDemonstration{{4}, {}},
-                                SaveFilter{"long", "length>10"},
-                                RemoveFilter{"long"},
-                                Batch{"Two", {RemoveDemonstration{{4}}, EditDemonstration{{5}, Trim{0.1, 0.2}}}}};
+  const std::vector<Edit> edits{
+      AddDemonstration{{3}, "Grasp \"über\""},
+      CopyDemonstration{{3}, "b", {demonstration::Mirror{}, demonstration::Trim{0.5, 1.5}}},
+      SplitDemonstration{{3}, 1.25, "rest"},
+      AddDemonstration{{3}, "paused", {demonstration::AddNote{"Paused", 0.5, 0.5, "recording", 0}}},
+      PunchIn{{{3}, "take", {demonstration::AddNote{"Paused", 0.5, 0.5, "recording", 0}}},
+              {4},
+              demonstration::Overdub{0, 0.0, 0.5, 1.25, demonstration::Arms::kRight, 0.5, 0, nullptr}},
+      CopyDemonstrations{{{{3}, "b", {demonstration::Mirror{}}}, {{3}, "c", {}}}},
+      EditDemonstration{{3}, splice({2}, 1, 0.5)},
+      RemoveDemonstration{{4}},
+      EditDemonstration{{5}, Trim{0.1, 1.0 / 3.0}},
+      EditDemonstration{{5}, LabelSegment{Segment::kE, 0.0, 1e-9}},
+      AddModel{6},
+      RemoveModel{{7}},
+      RestoreDemonstration{{4}},
+      MarkDemonstration{{4}, {Flag::kBad, Verdict::kFailure, 3, {"a"}, {"b"}, "über"}},
+      MarkDemonstration{{4}, {}},
+      SaveFilter{"long", "length>10"},
+      RemoveFilter{"long"},
+      Batch{"Two", {RemoveDemonstration{{4}}, EditDemonstration{{5}, Trim{0.1, 0.2}}}}};
   for (const Edit& edit : edits) {
     const Result<Edit> read = edit_from_json(name_of(edit), to_json(edit));
     REQUIRE(read);

@@ -180,6 +180,30 @@ TEST_CASE("a batch of which one edit cannot be made changes nothing, and one tha
   CHECK(three.file.project()->hash() == before);
 }
 
+TEST_CASE("several copies are one step with an id each, and come back the same") {
+  ThreeOf three;
+  const std::uint64_t before = three.file.project()->hash();
+  const Result<std::int64_t> last = three.file.commit(
+      CopyDemonstrations{{{three.a, "", {}}, {three.a, "", {demonstration::Mirror{}}}, {three.b, "Other", {}}}});
+  REQUIRE(last);
+  const std::uint64_t after = three.file.project()->hash();
+  CHECK(three.file.project()->demonstrations.size() == 6);
+  CHECK(three.file.project()->demonstrations.at(DemonstrationId{*last})->name == "Other");
+  const auto& first = three.file.project()->demonstrations.at(DemonstrationId{*last - 2});
+  const auto& second = three.file.project()->demonstrations.at(DemonstrationId{*last - 1});
+  CHECK(first->name != second->name);
+  CHECK(first->hash() == three.file.project()->demonstrations.at(three.a)->hash());
+  CHECK(second->hash() != first->hash());
+  // The next step takes the next id.
+  CHECK(three.file.commit(RemoveDemonstration{{*last}}).value() == *last + 1);
+  REQUIRE(three.file.undo());
+  CHECK(opened(three.folder / "p.trocar").project()->hash() == after);
+  REQUIRE(three.file.undo());
+  CHECK(three.file.project()->hash() == before);
+  CHECK_FALSE(three.file.commit(CopyDemonstrations{}));
+  CHECK(three.file.project()->hash() == before);
+}
+
 TEST_CASE("two edits of one demonstration in a batch are two entries of its stack") {
   ThreeOf three;
   const demonstration::Edit offset = demonstration::Offset{demonstration::Arms::kBoth, {0.0, 0.0, 0.001}};

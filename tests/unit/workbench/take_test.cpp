@@ -67,6 +67,7 @@ TEST_CASE("a pause leaves a note where it was") {
   const ScratchFolder folder;
   ProjectFile file = created(folder / "p.trocar");
   const auto take = shown(file, record(file, left_by_keys(), "0.5 pause 2\n1 end\n").id);
+  CHECK(file.history().size() == 1);
   REQUIRE(take->notes.size() == 1);
   CHECK(take->notes[0].begin_s == doctest::Approx(0.5).epsilon(0.02));
   CHECK(take->notes[0].text == "Paused for 2.0 s");
@@ -154,9 +155,61 @@ TEST_CASE("a punch-in replaces the span that was selected, begins and ends where
     CHECK((after->sample_at(t_s + 0.005).arms[0].setpoint().p - from).norm() < 0.0012);
   }
   CHECK((after->sample_at(2.1).arms[0].setpoint().p - before->sample_at(2.1).arms[0].setpoint().p).norm() < 0.001);
+  CHECK(after->segments == before->segments);
+  CHECK(after->full_duration_s() == before->full_duration_s());
+  REQUIRE(report.replaced);
+  CHECK(report.take != whole);
+  CHECK(shown(file, report.take)->name == report.name);
+  // One step, and one entry of the stack, which can be made with other parameters.
+  const std::int64_t made = file.head();
+  REQUIRE(after->stack->size() == 1);
+  auto overdub = std::get<demonstration::Overdub>(*after->stack->back().edit);
+  CHECK(overdub.source == report.take.value);
+  overdub.ease_s = 0.0;
+  REQUIRE(file.commit(ReplaceStackEntry{whole, after->stack->back().id, overdub}));
+  CHECK(shown(file, whole)->hash() != after->hash());
   REQUIRE(file.undo());
+  CHECK(file.head() == made);
   REQUIRE(file.undo());
   CHECK(shown(file, whole)->hash() == before->hash());
+  CHECK_FALSE(file.project()->demonstrations.contains(report.take));
+  REQUIRE(file.redo());
+  CHECK(shown(file, whole)->hash() == after->hash());
+  Diagnostics diagnostics;
+  CHECK(opened(folder / "p.trocar", diagnostics).project()->hash() == file.project()->hash());
+}
+
+TEST_CASE("a take that ends early replaces only what it recorded of its arm; a verdict is unsaid in the same step") {
+  const ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  const DemonstrationId whole = record(file, left_by_keys("Whole"), "0 hold D 2\n2.5 end\n").id;
+  MarkChange said;
+  said.verdict = Verdict::kSuccess;
+  REQUIRE(file.commit(MarkDemonstration{whole, said}));
+  const auto before = shown(file, whole);
+  RecordByHand request = left_by_keys();
+  request.options.sources = {ArmSource::kHand, ArmSource::kReplay};
+  request.replayed = whole;
+  request.punch = TimeSpan{1.0, 2.0};
+  const std::int64_t steps = std::ssize(file.history());
+  const RecordReport report = record(file, request, "0 hold W 0.2\n0.1 pause 1\n0.3 end\n");
+  CHECK(std::ssize(file.history()) == steps + 1);
+  CHECK(shown(file, report.take)->notes.size() == 1);
+  CHECK(report.duration_s == doctest::Approx(0.3).epsilon(0.05));
+  const auto after = shown(file, whole);
+  CHECK(after->full_duration_s() == before->full_duration_s());
+  REQUIRE(after->samples.size() == before->samples.size());
+  for (std::size_t i = 0; i < before->samples.size(); ++i) {
+    REQUIRE(after->samples[i].arms[1].setpoint_p == before->samples[i].arms[1].setpoint_p);
+    REQUIRE(after->samples[i].arms[1].measured.p == before->samples[i].arms[1].measured.p);
+  }
+  CHECK(after->sample_at(1.9).arms[0].setpoint_p == before->sample_at(1.9).arms[0].setpoint_p);
+  CHECK(file.project()->marks_of(whole).verdict == Verdict::kNone);
+  REQUIRE(file.undo());
+  CHECK(file.project()->marks_of(whole).verdict == Verdict::kSuccess);
+  request.options.sources = {ArmSource::kReplay, ArmSource::kReplay};
+  CHECK(plan_take(*file.project(), request).error().text() ==
+        "both arms replay what is there: nothing would be replaced");
 }
 
 TEST_CASE("what a take cannot be made of is refused in one sentence") {
