@@ -1,8 +1,29 @@
 #include "app/options.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "app/usage.h"
 
 namespace trocar::app {
+namespace {
+
+/// The parameters of the edit after `demo stack PROJECT DEMO EDIT change` look like options of the command itself. With
+/// a blank in front they are words, and the command takes the blank off again.
+std::vector<std::string> with_edit_words_kept(std::vector<std::string> words) {
+  constexpr std::array<std::string_view, 2> kCommand{"demo", "stack"};
+  constexpr std::array<std::string_view, 7> kOfAll{"--json", "-q", "--quiet", "-v", "--verbose", "-h", "--help"};
+  const auto command = std::search(words.begin(), words.end(), kCommand.begin(), kCommand.end());
+  auto word = std::find(command, words.end(), "change");
+  for (; word != words.end(); ++word) {
+    const bool of_all = std::find(kOfAll.begin(), kOfAll.end(), *word) != kOfAll.end();
+    if (word->starts_with('-') && *word != "--" && !of_all) word->insert(0, " ");
+  }
+  return words;
+}
+
+}  // namespace
 
 Options::Options() : root_("Teach a surgical robot by demonstration: record, edit, learn, look, film.", "trocar") {
   root_.formatter(std::make_shared<UsageFormatter>());
@@ -34,7 +55,8 @@ Result<Action> Options::parse(const std::vector<std::string>& arguments) {
     words.emplace_back("--help");
   }
   try {
-    root_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    const std::vector<std::string> kept = with_edit_words_kept(words);
+    root_.parse(std::vector<std::string>(kept.rbegin(), kept.rend()));
   } catch (const CLI::CallForVersion&) {
     return Action([text = root_.version()](Console&) -> Result<Answer> {
       return Answer{{{"version", text}}, text, {}};

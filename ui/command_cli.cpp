@@ -11,7 +11,7 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 69> kEquivalents{{
+constexpr std::array<Equivalent, 71> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
     {"file.import", "trocar demo import P FILE"},
@@ -50,12 +50,14 @@ constexpr std::array<Equivalent, 69> kEquivalents{{
     {"modify.retime", "trocar demo edit P DEMO retime"},
     {"modify.snap", "trocar demo edit P DEMO snap"},
     {"modify.jaw", "trocar demo edit P DEMO jaw"},
+    {"modify.jaw_events", "trocar demo edit P DEMO jaw-events"},
     {"modify.close_gripper", "trocar demo edit P DEMO jaw"},
     {"modify.open_gripper", "trocar demo edit P DEMO jaw"},
     {"modify.rename", "trocar demo edit P DEMO rename"},
     {"modify.mirror", "trocar demo edit P DEMO mirror"},
     {"modify.retarget", "trocar demo edit P DEMO retarget"},
     {"modify.perturb", "trocar demo edit P DEMO perturb"},
+    {"modify.copies", "trocar demo copy P DEMO --copies N --perturb-mm MM"},
     {"modify.revert", "trocar demo edit P DEMO revert"},
     {"modify.label", "trocar demo edit P DEMO label"},
     {"modify.propose_labels", "trocar demo edit P DEMO propose-labels"},

@@ -17,6 +17,10 @@ Requests begin(const State&) {
   return {BeginEdit{Edited{}}, ShowPanel{PanelId::kEdits}};
 }
 
+Requests begin_copies(const State&) {
+  return {BeginEdit{demonstration::Perturb{}, 5}, ShowPanel{PanelId::kEdits}};
+}
+
 std::string at_the_end(const State& state) {
   if (std::string reason = cannot_edit(state); !reason.empty()) return reason;
   const bool inside = state.playhead_s < selected_demonstration(state)->end_s - kSameTime_s;
@@ -69,7 +73,7 @@ constexpr RowData key_row(std::string_view id, std::string_view title, std::stri
 constexpr std::string_view kFromPlayhead = "From the playhead to the next segment";
 constexpr std::string_view kOverSelection = "Over the selected time";
 
-constexpr std::array<RowData, 37> kModifyRows{{
+constexpr std::array<RowData, 39> kModifyRows{{
     form_row<demonstration::Trim>("modify.trim", "Trim…", "", icon::kCut),
     form_row<demonstration::TrimIdle>("modify.trim_idle", "Trim idle…"),
     form_row<demonstration::DeleteSpan>("modify.delete", "Delete…", "", icon::kTrash),
@@ -85,6 +89,7 @@ constexpr std::array<RowData, 37> kModifyRows{{
     form_row<demonstration::Retime>("modify.retime", "Retime…", "S", icon::kClock),
     form_row<demonstration::SnapToGrid>("modify.snap", "Snap to lattice…", "Ctrl+G", icon::kCubes),
     form_row<demonstration::SetJaw>("modify.jaw", "Gripper…", "", nullptr, true),
+    form_row<demonstration::JawEvents>("modify.jaw_events", "Clean gripper events…"),
     key_row("modify.close_gripper", "Close gripper", "Of the chosen arm, from the playhead on", ";", at_the_end,
             move_jaw<false>, "Modify"),
     key_row("modify.open_gripper", "Open gripper", "Of the chosen arm, from the playhead on", "'", at_the_end,
@@ -93,6 +98,15 @@ constexpr std::array<RowData, 37> kModifyRows{{
     form_row<demonstration::Mirror>("modify.mirror", "Mirror…"),
     form_row<demonstration::Retarget>("modify.retarget", "Retarget…"),
     form_row<demonstration::Perturb>("modify.perturb", "Perturb…"),
+    {"modify.copies",
+     "Modify",
+     "Perturbed copies…",
+     "Copies with smooth noise on their paths, in one step",
+     nullptr,
+     {},
+     false,
+     cannot_edit,
+     begin_copies},
     form_row<demonstration::Revert>("modify.revert", "Revert to recording…", "Ctrl+Alt+R", icon::kHistory),
     form_row<demonstration::LabelSegment>("modify.label", "Label segment…", "", nullptr, false, "Label"),
     form_row<demonstration::ProposeLabels>("modify.propose_labels", "Propose labels…", "", nullptr, false, "Label"),

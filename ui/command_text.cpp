@@ -24,7 +24,19 @@ struct EditText {
   std::string operator()(const AddDemonstration&) const { return ""; }
   std::string operator()(const PunchIn&) const { return ""; }
   // The window copies one at a time.
-  std::string operator()(const CopyDemonstrations&) const { return ""; }
+  /// Copies as a form makes them: of one demonstration, with noise of seeds that count up.
+  std::string operator()(const CopyDemonstrations& edit) const {
+    if (edit.copies.empty()) return "";
+    const auto noise_of = [](const CopyDemonstration& copy) {
+      return copy.edits.size() == 1 ? std::get_if<demonstration::Perturb>(&copy.edits.front()) : nullptr;
+    };
+    const CopyDemonstration& first = edit.copies.front();
+    const auto* noise = noise_of(first);
+    if (noise == nullptr || !first.name.empty()) return "";
+    return fmt::format("trocar demo copy {} {} --copies {} --perturb-mm {:g} --period {:g} --seed {}", project,
+                       first.demonstration.value, edit.copies.size(), 1e3 * noise->sigma_m, noise->period_s,
+                       noise->seed);
+  }
   std::string operator()(const ImportDemonstrations&) const { return ""; }
   std::string operator()(const AddModel&) const { return ""; }
   std::string operator()(const CopyDemonstration& edit) const {

@@ -32,6 +32,8 @@ class Runner {
   }
 
   Status settle(double limit_s);
+  /// As `settle`, but what goes on of itself, such as a take or playing, is shown as it is.
+  Status settle_or_go_on();
   Status run(const ScriptLine& line);
   Status screenshot(const std::filesystem::path& path);
 
@@ -58,6 +60,17 @@ Status Runner::settle(double limit_s) {
     TROCAR_RETURN_IF_ERROR(application_.workbench().wait_idle(limit_s, progress_));
   }
   return driver_.frames(3);
+}
+
+Status Runner::settle_or_go_on() {
+  const workbench::WorkbenchState& state = application_.workbench().state();
+  if (!state.live && state.play_speed == 0.0) return settle(60.0);
+  // The newest picture is a moment behind.
+  for (int i = 0; i < 10; ++i) {
+    TROCAR_RETURN_IF_ERROR(step());
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return {};
 }
 
 Status Runner::wait_for(const std::string& path, double limit_s) {
@@ -167,7 +180,7 @@ Result<UiRunReport> run_headless(const UiRunOptions& options) {
     return fail(ErrorCode::kIo, workbench.state().load_error);
   }
   TROCAR_RETURN_IF_ERROR(run_script(runner, options, report));
-  if (!options.screenshot.empty() || options.dump) TROCAR_RETURN_IF_ERROR(runner.settle(60.0));
+  if (!options.screenshot.empty() || options.dump) TROCAR_RETURN_IF_ERROR(runner.settle_or_go_on());
   if (!options.screenshot.empty()) TROCAR_RETURN_IF_ERROR(runner.screenshot(options.screenshot));
   if (options.dump) report.dump = application->session().items().to_json();
   return report;

@@ -48,6 +48,7 @@ constexpr const char* kTable = "\xef\x83\x8e";      // f0ce
 constexpr const char* kArrowUp = "\xef\x81\xa2";    // f062
 constexpr const char* kArrowDown = "\xef\x81\xa3";  // f063
 constexpr const char* kArrows = "\xef\x81\x87";     // f047 arrows to four sides
+constexpr const char* kStar = "\xef\x80\x85";       // f005
 constexpr const char* kPlus = "\xef\x81\xa7";       // f067
 constexpr const char* kEye = "\xef\x81\xae";        // f06e
 constexpr const char* kChip = "\xef\x8b\x9b";       // f2db microchip

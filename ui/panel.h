@@ -19,7 +19,7 @@ class Panel {
   /// Called within the panel's region of the window, its scope ("Library") open.
   virtual Requests draw(Ui& ui, const WorkbenchState& state) = 0;
   /// Opens the form of an edit, where the panel has one.
-  virtual void begin_edit(const demonstration::Edit&, const WorkbenchState&) {}
+  virtual void begin_edit(const BeginEdit&, const WorkbenchState&) {}
 };
 
 /// `time` is what panels over time show; they share it.

@@ -69,6 +69,7 @@ struct KeepLayouts {
 /// Opens the form of an edit, at what is selected or where the playhead is.
 struct BeginEdit {
   demonstration::Edit edit;
+  int copies = 0;  ///< Not 0: so many copies get it, and the demonstration stays as it is.
 };
 /// Puts words on the clipboard.
 struct CopyText {

@@ -258,7 +258,7 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
       settings_.named[static_cast<std::size_t>(settings_.workspace)] = keep->layouts;
     } else if (const auto* begin = std::get_if<BeginEdit>(&request)) {
       show_panel(PanelId::kEdits);
-      tiles_.panel(PanelId::kEdits).begin_edit(begin->edit, state);
+      tiles_.panel(PanelId::kEdits).begin_edit(*begin, state);
     } else if (const auto* copy = std::get_if<CopyText>(&request)) {
       result.clipboard = copy->text;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 namespace trocar::ui {
 namespace {
@@ -52,6 +53,18 @@ bool same(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
+/// What a person calls by the character that it writes with Shift, on the layout that keys are named after.
+constexpr std::array<std::pair<std::string_view, Key>, 10> kShifted{{{"?", Key::kSlash},
+                                                                     {":", Key::kSemicolon},
+                                                                     {"\"", Key::kApostrophe},
+                                                                     {"<", Key::kComma},
+                                                                     {">", Key::kPeriod},
+                                                                     {"_", Key::kMinus},
+                                                                     {"{", Key::kLeftBracket},
+                                                                     {"}", Key::kRightBracket},
+                                                                     {"|", Key::kBackslash},
+                                                                     {"~", Key::kGrave}}};
+
 }  // namespace
 
 std::optional<Key> key_from(std::string_view name) {
@@ -84,6 +97,12 @@ Result<Chord> chord_from(std::string_view text) {
     const std::size_t plus = rest.find('+');
     const std::string_view part = rest.substr(0, plus);
     if (plus == std::string_view::npos) {
+      for (const auto& [character, shifted] : kShifted) {
+        if (part != character) continue;
+        chord.key = shifted;
+        chord.modifiers.shift = true;
+        return chord;
+      }
       const std::optional<Key> key = key_from(part);
       if (!key) return fail(ErrorCode::kInvalidArgument, fmt::format("no key is named \"{}\"", part));
       chord.key = *key;

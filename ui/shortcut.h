@@ -16,7 +16,8 @@ struct Chord {
   bool operator==(const Chord&) const = default;
 };
 
-/// Names are those of `to_text`; letters in either case. Errors: kInvalidArgument naming the part that is no key.
+/// Names are those of `to_text`; letters in either case; "?" and its kin are Shift and a key. Errors: kInvalidArgument
+/// naming the part that is no key.
 Result<Chord> chord_from(std::string_view text);
 std::string to_text(const Chord& chord);
 /// "A" … "Z", "0" … "9", "F1" … "F12", "Left", "Home", "Space", "Enter", "Escape", ",", "Keypad7" and their kin.

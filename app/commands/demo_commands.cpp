@@ -103,6 +103,7 @@ void add_demo_commands(CLI::App& root, Action& chosen) {
       },
       run_show);
   add_demo_edit_commands(noun, chosen);
+  add_demo_stack_command(noun, chosen);
   add_demo_copy_commands(noun, chosen);
   add_demo_review_commands(noun, chosen);
   add_demo_diff_command(noun, chosen);

@@ -6,8 +6,9 @@
 
 namespace trocar::app {
 
-void add_demo_record_commands(CLI::App& noun, Action& chosen);   ///< record, replay
-void add_demo_edit_commands(CLI::App& noun, Action& chosen);     ///< edit, remove
+void add_demo_record_commands(CLI::App& noun, Action& chosen);  ///< record, replay
+void add_demo_edit_commands(CLI::App& noun, Action& chosen);    ///< edit, remove
+void add_demo_stack_command(CLI::App& noun, Action& chosen);
 void add_demo_copy_commands(CLI::App& noun, Action& chosen);     ///< copy, split
 void add_demo_library_commands(CLI::App& noun, Action& chosen);  ///< list, tag, trash, restore, filter, batch
 void add_demo_review_commands(CLI::App& noun, Action& chosen);   ///< check

@@ -62,7 +62,7 @@ using MeanJerks = std::array<std::optional<double>, 2>;
 Json side_json(double duration_s, const std::array<double, 2>& path_m, const MeanJerks& jerk_m_s3) {
   Json jerks = Json::array();
   for (const std::optional<double>& jerk : jerk_m_s3) jerks.push_back(jerk ? Json(*jerk) : Json());
-  return {{"duration_s", duration_s}, {"path_length_m", path_m}, {"mean_jerk_m_s3", std::move(jerks)}};
+  return {{"duration_s", duration_s}, {"path_length_m", path_m}, {"mean_raw_jerk_m_s3", std::move(jerks)}};
 }
 
 Json json_of(const Comparison& comparison, const DiffArguments& arguments, std::int64_t id) {
@@ -98,7 +98,7 @@ std::string details(const Comparison& comparison) {
     const demonstration::Deviation& deviation = comparison.deviation[arm];
     text += fmt::format(
         "\n  {:<5} deviates by at most {:.2f} mm, {:.2f} mm on average, 95 % by less than {:.2f} mm; its path was "
-        "{:.1f} mm, is {:.1f} mm; its mean jerk was {}, is {}",
+        "{:.1f} mm, is {:.1f} mm; its mean raw jerk (tremor included) was {}, is {}",
         kArms[arm], to_mm(deviation.max_m), to_mm(deviation.mean_m), to_mm(deviation.share_95_m),
         to_mm(comparison.path_before_m[arm]), to_mm(comparison.path_after_m[arm]),
         jerk_words(comparison.jerk_before_m_s3[arm]), jerk_words(comparison.jerk_after_m_s3[arm]));

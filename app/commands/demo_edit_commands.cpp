@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <map>
 
 #include "app/commands/demo_commands.h"
+#include "app/commands/edit_effect_answer.h"
 #include "engine/demonstration/edit_fields.h"
 #include "engine/demonstration/edit_words.h"
+#include "engine/demonstration/edits.h"
+#include "engine/demonstration/idle_cuts.h"
 #include "engine/demonstration/join.h"
 #include "engine/demonstration/quality.h"
 #include "engine/demonstration/snap_figures.h"
@@ -69,34 +71,56 @@ Status tell_snap(const demonstration::Edit& edit, const demonstration::Demonstra
 using EditMaker = std::function<Result<std::optional<demonstration::Edit>>(const demonstration::Demonstration&,
                                                                            const workbench::Project&)>;
 
-Result<Answer> commit(const Target& target, Console& console, Models models, const EditMaker& edit_of) {
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(target.project, console, models));
-  TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), target.demonstration));
+/// What became of the document, or would.
+Answer changed(const demonstration::Edit& edit, const demonstration::Demonstration& before,
+               const demonstration::Demonstration& after) {
+  Answer answer;
+  answer.json = {{"name", demonstration::name_of(edit)},    {"demonstration", after.id.value},
+                 {"hash_before", hash_text(before.hash())}, {"hash_after", hash_text(after.hash())},
+                 {"hash", hash_text(after.hash())},         {"duration_s", after.duration_s()}};
+  const std::vector<demonstration::Join> joins = demonstration::joins_of(edit, before, after);
+  for (const demonstration::Join& join : joins) {
+    answer.json["joins"].push_back(
+        {{"at_s", join.at_s}, {"gap_s", join.gap_s}, {"moved_m", join.moved_m}, {"turned_rad", join.turned_rad}});
+  }
+  if (!joins.empty()) answer.text = demonstration::sentence_of(joins);
+  add_edit_effect(edit, before, after, answer);
+  return answer;
+}
+
+struct Commitment {
+  std::shared_ptr<const Target> target;
+  Models models = Models::kDescribed;
+  bool dry = false;  ///< It is only said what the edit would do.
+};
+
+Result<Answer> commit(const Commitment& how, Console& console, const EditMaker& edit_of) {
+  const auto open = how.dry ? open_to_read : open_to_edit;
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open(how.target->project, console, how.models));
+  TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), how.target->demonstration));
   TROCAR_ASSIGN_OR_RETURN(const std::optional<demonstration::Edit> edit, edit_of(*before, *file.project()));
   if (!edit) return unchanged(*before);
   TROCAR_RETURN_IF_ERROR(check_rename(*file.project(), before->id, *edit));
   const workbench::Edit whole = workbench::EditDemonstration{before->id, *edit};
   const std::string description = workbench::describe(whole, *file.project());
-  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(whole));
-  const auto after = file.project()->demonstrations.at(before->id);
   Answer answer;
-  answer.json = {{"id", id},
-                 {"name", demonstration::name_of(*edit)},
-                 {"description", description},
-                 {"demonstration", after->id.value},
-                 {"hash_before", hash_text(before->hash())},
-                 {"hash_after", hash_text(after->hash())},
-                 {"hash", hash_text(after->hash())},
-                 {"duration_s", after->duration_s()}};
-  const std::vector<demonstration::Join> joins = demonstration::joins_of(*edit, *before, *after);
-  for (const demonstration::Join& join : joins) {
-    answer.json["joins"].push_back(
-        {{"at_s", join.at_s}, {"gap_s", join.gap_s}, {"moved_m", join.moved_m}, {"turned_rad", join.turned_rad}});
+  if (how.dry) {
+    TROCAR_ASSIGN_OR_RETURN(const demonstration::Edit found, file.resolved(*edit, before->id));
+    TROCAR_ASSIGN_OR_RETURN(const demonstration::Demonstration after, demonstration::apply(*before, found));
+    answer = changed(found, *before, after);
+    answer.json["id"] = nullptr;
+  } else {
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(whole));
+    answer = changed(*edit, *before, *file.project()->demonstrations.at(before->id));
+    answer.json["id"] = id;
   }
+  answer.json["dry_run"] = how.dry;
+  answer.json["description"] = description;
   answer.summary = description;
-  answer.text = fmt::format("Edit {}: {}", id, description);
+  const std::string head = how.dry ? fmt::format("Would be: {}", description)
+                                   : fmt::format("Edit {}: {}", answer.json["id"].get<std::int64_t>(), description);
+  answer.text = answer.text.empty() ? head : fmt::format("{}; {}", head, answer.text);
   TROCAR_RETURN_IF_ERROR(tell_snap(*edit, *before, answer));
-  if (!joins.empty()) answer.text += "; " + demonstration::sentence_of(joins);
   return answer;
 }
 
@@ -112,16 +136,26 @@ concept HasSpan = requires(Edited& edit) {
   edit.to_s;
 };
 
-demonstration::Edit kept_within(const demonstration::Demonstration& document, demonstration::Edit edit) {
+/// Errors: kInvalidArgument for a span or an instant that lies behind the end, where nothing is.
+Result<demonstration::Edit> kept_within(const demonstration::Demonstration& document, demonstration::Edit edit) {
+  const double end_s = document.full_duration_s();
+  std::optional<double> beyond_s;
   std::visit(
       [&]<typename Edited>(Edited& one) {
         if constexpr (HasSpan<Edited>) {
+          // A note, and the span of a label, may stand at the very end.
+          if (one.from_s > end_s + demonstration::kTimeTolerance_s) beyond_s = one.from_s;
           one.from_s = within(document, one.from_s);
           one.to_s = within(document, one.to_s);
+        } else if constexpr (requires { one.radius_s; }) {
+          if (one.at_s > end_s + demonstration::kTimeTolerance_s) beyond_s = one.at_s;
         }
       },
       edit);
-  return edit;
+  if (!beyond_s) return edit;
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("there is nothing at {:g} s: {} ends at {:.3f} s, give a time before", *beyond_s,
+                          document.name, end_s));
 }
 
 /// The words of one edit as they were typed.
@@ -130,7 +164,9 @@ struct EditArguments {
   std::string name;
   std::map<std::string, std::string> options;  ///< By name, without dashes; those not given are empty.
   std::vector<std::string> bare;
-  bool idle = false;  ///< Of trim alone.
+  bool idle = false;            ///< Of trim alone.
+  bool dry = false;             ///< Nothing is changed.
+  std::vector<int> keep_spans;  ///< Of trim-idle alone: the numbers of what stays, from 1.
 };
 
 /// The source of a splice may be given by name, or left out if it is the document itself; so may its span.
@@ -170,6 +206,23 @@ Status find_named_model(EditArguments& arguments, const workbench::Project& proj
   return {};
 }
 
+/// What was said to stay by its number is said by its time.
+Status keep_spans(EditArguments& arguments, const demonstration::Demonstration& document) {
+  if (arguments.keep_spans.empty()) return {};
+  TROCAR_ASSIGN_OR_RETURN(const demonstration::Edit edit,
+                          demonstration::edit_from_words(words_of(arguments, document)));
+  TROCAR_ASSIGN_OR_RETURN(const auto cuts, demonstration::idle_cuts(document, std::get<demonstration::TrimIdle>(edit)));
+  std::string& stay = arguments.options["stay"];
+  for (const int number : arguments.keep_spans) {
+    if (number < 1 || number > std::ssize(cuts)) {
+      return fail(ErrorCode::kInvalidArgument,
+                  fmt::format("there is no idle span {}, but {}; --dry-run lists them", number, cuts.size()));
+    }
+    stay += fmt::format("{}{:.3f}", stay.empty() ? "" : ",", cuts[static_cast<std::size_t>(number) - 1].middle_s());
+  }
+  return {};
+}
+
 /// Models are large; only a bridge that goes as one of them would needs them.
 bool needs_models(const EditArguments& arguments) {
   const auto shape = arguments.options.find("shape");
@@ -182,133 +235,59 @@ Result<Answer> run_edit(const EditArguments& arguments, Console& console) {
   if (arguments.name == demonstration::Trim::kName && arguments.idle == span_given) {
     return fail(ErrorCode::kInvalidArgument, "trim needs --from, --to or both, or else --idle alone");
   }
-  return commit(*arguments.target, console, needs_models(arguments) ? Models::kWhole : Models::kDescribed,
+  const Commitment how{arguments.target, needs_models(arguments) ? Models::kWhole : Models::kDescribed, arguments.dry};
+  return commit(how, console,
                 [&](const demonstration::Demonstration& document,
                     const workbench::Project& project) -> Result<std::optional<demonstration::Edit>> {
                   if (arguments.idle) return demonstration::idle_ends(document);
                   EditArguments found = arguments;
                   TROCAR_RETURN_IF_ERROR(find_source(found, document, project));
                   TROCAR_RETURN_IF_ERROR(find_named_model(found, project));
+                  TROCAR_RETURN_IF_ERROR(keep_spans(found, document));
                   TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit,
                                           demonstration::edit_from_words(words_of(found, document)));
-                  return kept_within(document, std::move(edit));
+                  TROCAR_ASSIGN_OR_RETURN(edit, kept_within(document, std::move(edit)));
+                  return edit;
                 });
 }
 
-/// Makes an option of the command line from each parameter of an edit.
-struct OptionMaker {
-  CLI::App& verb;
-  EditArguments& arguments;
-  bool whole = false;  ///< The span must be given.
+/// "NUMBER, mm", "yes|no", "left|right|both".
+std::string kind_of(const demonstration::EditOption& row) {
+  if (row.flag) return "yes|no";
+  if (!row.choices.empty()) return fmt::format("{}", fmt::join(row.choices, "|"));
+  const std::string word = row.number ? "NUMBER" : row.unit.empty() ? "TEXT" : "NUMBERS";
+  return row.unit.empty() ? word : fmt::format("{}, {}", word, row.unit);
+}
 
-  template <typename Value>
-  void field(const demonstration::Field& field, const Value&) {
-    const demonstration::TypedField how = demonstration::typed(field.key);
-    if (field.positional) {
-      std::string name = how.option;
+/// What it means and what it is if nobody says so. Times that are not given are the gates; a label has no such span.
+std::string help_of(const demonstration::EditOption& row, bool whole) {
+  const bool source = row.option == "clip-from" || row.option == "clip-to";
+  if (!whole && row.option == "from") return row.help + " (else the begin gate)";
+  if (!whole && row.option == "to") return row.help + " (else the end gate)";
+  if (source) return row.help + " (else the gate there)";
+  if (row.option == "source") return row.help + ", id or name (else itself)";
+  if (whole && (row.option == "from" || row.option == "to")) return row.help;
+  return row.text.empty() ? row.help : fmt::format("{} (else {})", row.help, row.text);
+}
+
+/// Makes an option of the command line from each parameter of an edit. `whole`: the span must be given.
+void bind_parameters(CLI::App& verb, EditArguments& arguments, const demonstration::Edit& defaults, bool whole) {
+  const std::vector<demonstration::EditOption> rows = demonstration::options_of(defaults);
+  arguments.bare.resize(static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const demonstration::EditOption& row) { return row.positional; })));
+  std::size_t next_bare = 0;
+  for (const demonstration::EditOption& row : rows) {
+    if (row.positional) {
+      std::string name = row.option;
       std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-      arguments.bare.emplace_back();
-      verb.add_option_function<std::string>(
-              name,
-              [this_bare = arguments.bare.size() - 1, &list = arguments.bare](const std::string& text) {
-                list[this_bare] = text;
-              },
-              field.help)
-          ->required();
-      return;
+      CLI::Option* bare = verb.add_option(name, arguments.bare[next_bare++], row.help)->required();
+      if (!row.choices.empty()) bare->type_name(kind_of(row));
+      continue;
     }
-    CLI::Option* option = verb.add_option("--" + how.option, arguments.options[how.option],
-                                          how.unit.empty() ? field.help : fmt::format("{}, {}", field.help, how.unit));
-    if (whole && (how.option == "from" || how.option == "to")) option->required();
+    CLI::Option* option = verb.add_option("--" + row.option, arguments.options[row.option], help_of(row, whole));
+    option->type_name(kind_of(row));
+    if (whole && (row.option == "from" || row.option == "to")) option->required();
   }
-};
-
-struct StackArguments {
-  Target target;
-  std::string entry;  ///< "12", or "12.3" of a step that made several.
-  std::string change;
-  std::vector<std::string> words;
-};
-
-Result<workbench::Edit> stack_edit(const StackArguments& arguments, demonstration::DemonstrationId id) {
-  const std::optional<std::int64_t> named = demonstration::entry_from(arguments.entry);
-  if (!named) {
-    return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" is no id of an edit", arguments.entry));
-  }
-  const std::int64_t entry = *named;
-  const std::size_t words = arguments.words.size();
-  if (arguments.change == "enable" && words == 0) return workbench::EnableStackEntry{id, entry, true};
-  if (arguments.change == "disable" && words == 0) return workbench::EnableStackEntry{id, entry, false};
-  if (arguments.change == "remove" && words == 0) return workbench::RemoveStackEntry{id, entry};
-  if (arguments.change == "name" && words == 1) return workbench::NameStackEntry{id, entry, arguments.words.front()};
-  if (arguments.change == "move" && words == 1) {
-    int place = 0;
-    const std::string& text = arguments.words.front();
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), place);
-    if (error == std::errc() && end == text.data() + text.size() && place >= 1) {
-      return workbench::MoveStackEntry{id, entry, place - 1};
-    }
-    return fail(ErrorCode::kInvalidArgument, fmt::format("a place is a whole number from 1, not {}", text));
-  }
-  if (arguments.change == "change") {
-    TROCAR_ASSIGN_OR_RETURN(demonstration::Edit edit, demonstration::edit_from_words(arguments.words));
-    return workbench::ReplaceStackEntry{id, entry, std::move(edit)};
-  }
-  return fail(ErrorCode::kInvalidArgument,
-              "the change of an edit is enable, disable, remove, name NAME, move PLACE or change -- EDIT PARAMETERS");
-}
-
-Json stack_json(const demonstration::Demonstration& document) {
-  Json list = Json::array();
-  for (const demonstration::StackEntry& entry : *document.stack) {
-    list.push_back({{"id", entry.id},
-                    {"entry", demonstration::entry_words(entry.id)},
-                    {"edit", std::string(demonstration::name_of(*entry.edit))},
-                    {"words", demonstration::to_words(*entry.edit)},
-                    {"enabled", entry.enabled},
-                    {"conflict", entry.conflict.empty() ? Json() : Json(entry.conflict)},
-                    {"name", entry.name}});
-  }
-  return list;
-}
-
-std::string stack_text(const demonstration::Demonstration& document) {
-  std::string text;
-  for (const demonstration::StackEntry& entry : *document.stack) {
-    const char* applied = !entry.enabled ? "off" : entry.conflict.empty() ? "on" : "conflict";
-    text +=
-        fmt::format("{}{:>6}  {:<8} {}{}", text.empty() ? "" : "\n", demonstration::entry_words(entry.id), applied,
-                    entry.name.empty() ? "" : entry.name + ": ", fmt::join(demonstration::to_words(*entry.edit), " "));
-    if (!entry.conflict.empty()) text += fmt::format("\n{:16}passed over: {}", "", entry.conflict);
-  }
-  return text.empty() ? "no edits" : text;
-}
-
-Result<Answer> run_stack(const StackArguments& arguments, Console& console) {
-  const auto open = arguments.change.empty() ? open_to_read : open_to_edit;
-  const bool policy = std::find(arguments.words.begin(), arguments.words.end(), "policy") != arguments.words.end();
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
-                          open(arguments.target.project, console, policy ? Models::kWhole : Models::kDescribed));
-  TROCAR_ASSIGN_OR_RETURN(const auto before, find_demonstration(*file.project(), arguments.target.demonstration));
-  Answer answer;
-  if (!arguments.change.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(const workbench::Edit edit, stack_edit(arguments, before->id));
-    answer.summary = workbench::describe(edit, *file.project());
-    TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(edit));
-    answer.json["id"] = id;
-  }
-  const auto after = file.project()->demonstrations.at(before->id);
-  answer.json["demonstration"] = after->id.value;
-  answer.json["hash_before"] = hash_text(before->hash());
-  answer.json["hash"] = hash_text(after->hash());
-  answer.json["stack"] = stack_json(*after);
-  answer.text = stack_text(*after);
-  if (answer.summary.empty()) answer.summary = fmt::format("{} edits", after->stack->size());
-  const auto conflicts = std::count_if(after->stack->begin(), after->stack->end(),
-                                       [](const auto& entry) { return !entry.conflict.empty(); });
-  answer.json["conflicts"] = conflicts;
-  if (conflicts > 0) answer.summary += fmt::format("; {} passed over", counted(conflicts, "conflict"));
-  return answer;
 }
 
 struct RemoveArguments {
@@ -346,25 +325,19 @@ void add_demo_edit_commands(CLI::App& noun, Action& chosen) {
         [target](CLI::App& verb, EditArguments& a) {
           a.target = target;
           a.name = Edited::kName;
-          OptionMaker maker{verb, a, std::is_same_v<Edited, demonstration::LabelSegment>};
-          const Edited defaults;
-          demonstration::visit_fields(maker, defaults);
+          bind_parameters(verb, a, Edited{}, std::is_same_v<Edited, demonstration::LabelSegment>);
           if (std::is_same_v<Edited, demonstration::Trim>) {
             verb.add_flag("--idle", a.idle, "Cut both ends where neither tool moves");
           }
+          if (std::is_same_v<Edited, demonstration::TrimIdle>) {
+            verb.add_option("--keep-span", a.keep_spans, "Leave these as they are, by their numbers in --dry-run")
+                ->delimiter(',')
+                ->take_all();
+          }
+          verb.add_flag("--dry-run", a.dry, "Say what it would do, and change nothing");
         },
         run_edit);
   });
-  add_verb<StackArguments>(
-      noun, chosen, "stack", "List the edits of a demonstration, or change one of them afterwards",
-      [](CLI::App& verb, StackArguments& a) {
-        bind_target(verb, a.target);
-        verb.add_option("EDIT", a.entry, "The id of an edit, from the list");
-        verb.add_option("CHANGE", a.change, "enable, disable, remove, name, move or change");
-        verb.add_option("WORDS", a.words, "The name, the place, or behind -- the edit with all its parameters");
-        verb.prefix_command();
-      },
-      run_stack);
   add_verb<RemoveArguments>(
       noun, chosen, "remove", "Put a demonstration into the trash",
       [](CLI::App& verb, RemoveArguments& a) { bind_target(verb, a.target); }, run_remove);

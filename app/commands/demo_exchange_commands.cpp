@@ -12,8 +12,15 @@
 namespace trocar::app {
 namespace {
 
-Result<exchange::Format> format_of(const std::string& name, const std::string& path) {
-  return name.empty() ? exchange::guess_format(path) : exchange::format_from(name);
+/// Errors: kInvalidArgument for a file whose ending names nothing that we write.
+Result<exchange::Format> written_format(const std::string& name, const std::string& path) {
+  if (!name.empty()) return exchange::format_from(name);
+  const Result<exchange::Format> guessed = exchange::guess_format(path);
+  if (guessed && *guessed != exchange::Format::kJigsaws) return guessed;
+  return tl::unexpected(
+      Error(ErrorCode::kInvalidArgument,
+            "the ending names no format that can be written; end the file in .csv, .npy or .hdf5, or give --format")
+          .at(path));
 }
 
 std::string lossy_text(const std::vector<std::string>& lossy) {
@@ -21,6 +28,9 @@ std::string lossy_text(const std::vector<std::string>& lossy) {
   for (const std::string& part : lossy) text += (text.empty() ? "; without " : ", ") + part;
   return text;
 }
+
+/// In place of a map: the one that we would propose.
+constexpr std::string_view kProposed = "proposed";
 
 struct ImportArguments {
   std::string project;
@@ -44,9 +54,10 @@ void bind_import(CLI::App& verb, ImportArguments& arguments) {
   verb.add_option("--format", arguments.format, "csv, npy, hdf5 or jigsaws (else guessed from the file's name)");
   verb.add_option("--transcription", arguments.transcription, "Gestures, of JIGSAWS; they become notes");
   verb.add_option("--map", arguments.map,
-                  "Which column of a foreign csv or npy table is what: JSON, or a name that one is kept under; "
-                  "--dry-run proposes one");
-  verb.add_option("--save-map", arguments.save_map, "Keep the map that is used, or proposed, under this name");
+                  "Which column of a foreign csv or npy table is what: a JSON file, a name that one is kept under, or "
+                  "`proposed` for the one that --dry-run shows");
+  verb.add_option("--save-map", arguments.save_map,
+                  "Keep the map that is used, or proposed: F.json writes a file, any other name keeps it under that");
   verb.add_option("--offset-mm", arguments.offset_mm, "Where the file's origin is on the board: X,Y,Z")
       ->delimiter(',')
       ->expected(3);
@@ -98,10 +109,11 @@ Result<workbench::ImportSettings> settings_of(const ImportArguments& arguments) 
     TROCAR_ASSIGN_OR_RETURN(settings.format, exchange::format_from(arguments.format));
   }
   settings.transcription = arguments.transcription;
-  if (!arguments.map.empty()) {
+  const bool proposed = arguments.map == kProposed;
+  if (!arguments.map.empty() && !proposed) {
     TROCAR_ASSIGN_OR_RETURN(settings.map, map_from(arguments.map));
   }
-  settings.propose = arguments.dry_run;
+  settings.propose = arguments.dry_run || proposed;
   settings.only = arguments.only;
   settings.rate_hz = arguments.rate_hz;
   for (std::size_t i = 0; i < arguments.offset_mm.size(); ++i) settings.p_WF_m[i] = 1e-3 * arguments.offset_mm[i];
@@ -111,12 +123,22 @@ Result<workbench::ImportSettings> settings_of(const ImportArguments& arguments) 
   return settings;
 }
 
+/// Into a file if the name is one's, else among the maps that are kept by name.
+Status keep_map(const std::string& name, const exchange::ColumnMap& map, const ImportArguments& arguments) {
+  if (std::filesystem::path(name).extension() != ".json") {
+    return exchange::save_map_preset(exchange::map_preset_folder(), name, map);
+  }
+  TROCAR_RETURN_IF_ERROR(check_output(name, arguments.project, {".json"}));
+  return write_file(name, exchange::to_json(map) + "\n");
+}
+
 /// In place of what a reader says of columns that it does not know.
 Error with_hint(const Error& error, const workbench::ImportSettings& settings, exchange::Format format) {
   const auto guess = exchange::guess_columns(settings.path, format);
   if (settings.map || !guess || !*guess) return error;
   return Error(ErrorCode::kCorrupt,
-               "the columns are not those of Trocar; --dry-run proposes a map of them, --map takes it")
+               "the columns are not those of Trocar; --dry-run proposes a map of them, --map proposed takes it, and "
+               "--map F.json another")
       .at(settings.path.string());
 }
 
@@ -188,7 +210,8 @@ void show_map(const exchange::ColumnGuess& guess, Answer& answer) {
   const std::string map = exchange::to_json(guess.map);
   answer.json["map"] = Json::parse(map);
   answer.json["doubts"] = guess.doubts;
-  std::string text = fmt::format("A map for --map, to be saved and looked through:\n{}\n", map);
+  std::string text =
+      fmt::format("A map, to be looked through; --map proposed takes it, --save-map F.json keeps it:\n{}\n", map);
   for (const std::string& doubt : guess.doubts) text += fmt::format("not certain: {}\n", doubt);
   answer.text = text + answer.text;
 }
@@ -198,6 +221,14 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   const auto open = arguments.dry_run ? open_to_read : open_to_edit;
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ImportLayout layout, workbench::layout_of(settings));
+  if (!arguments.save_map.empty()) {
+    // Before anything is in the project, so that a name that is none leaves it as it is.
+    if (!layout.columns) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "there is no map to keep with --save-map: the columns are known; or give --map proposed");
+    }
+    TROCAR_RETURN_IF_ERROR(keep_map(arguments.save_map, layout.columns->map, arguments));
+  }
   TROCAR_ASSIGN_OR_RETURN(std::vector<workbench::ImportPart> parts, read_parts(settings, layout, console));
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   name_parts(parts, *file.project(), console);
@@ -207,12 +238,9 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   } else {
     TROCAR_ASSIGN_OR_RETURN(answers, add_import(file, settings, parts));
   }
-  if (!arguments.save_map.empty() && layout.columns) {
-    TROCAR_RETURN_IF_ERROR(
-        exchange::save_map_preset(exchange::map_preset_folder(), arguments.save_map, layout.columns->map));
-  }
   Answer answer = united(std::move(answers), layout.format, arguments.dry_run);
-  if (layout.proposed) show_map(*layout.columns, answer);
+  if (layout.proposed && arguments.dry_run) show_map(*layout.columns, answer);
+  if (layout.proposed && !arguments.dry_run) answer.json["map"] = Json::parse(exchange::to_json(layout.columns->map));
   return answer;
 }
 
@@ -273,7 +301,7 @@ Answer exported_answer(const ExportArguments& arguments, exchange::Format format
 Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   const std::string& out = arguments.words.back();
   TROCAR_RETURN_IF_ERROR(check_output(out, arguments.project));
-  TROCAR_ASSIGN_OR_RETURN(const exchange::Format format, format_of(arguments.format, out));
+  TROCAR_ASSIGN_OR_RETURN(const exchange::Format format, written_format(arguments.format, out));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           open_to_read(arguments.project, console, Models::kDescribed));
   exchange::Documents documents;

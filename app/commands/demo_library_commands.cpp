@@ -27,9 +27,11 @@ struct ListArguments {
 
 void bind_list(CLI::App& verb, ListArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
-  verb.add_option("--filter", arguments.filter, "Only those that answer: \"jerk>0.3 and segment:C and not tag:bad\"");
+  verb.add_option("--filter", arguments.filter,
+                  "Only those that answer: \"jerk>0.3 and segment:C and not tag:bad\"; name=X is just that, "
+                  "name~X has it somewhere");
   verb.add_option("--saved", arguments.saved, "Only those that answer a filter saved in the project");
-  verb.add_option("--sort", arguments.sort, "By a column: length, jerk, clearance …");
+  verb.add_option("--sort", arguments.sort, "By a column: length, jerk (smoothed, without tremor), clearance …");
   verb.add_flag("--descending", arguments.descending, "The largest first");
   verb.add_flag("--measures", arguments.measures, "Say also what takes time to work out");
 }
@@ -57,8 +59,8 @@ Json row_json(const LibraryRow& row, const demonstration::Demonstration& documen
   json["arms"] = cell_json(workbench::find_library_column("arms")->cell(row));
   json["path_lengths_m"] = measures.path_length_m;
   const auto told = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
-  json["mean_jerk_m_s3"] = told(measures.mean_jerk_m_s3);
-  json["peak_jerk_m_s3"] = told(measures.peak_jerk_m_s3);
+  json["mean_smoothed_jerk_m_s3"] = told(measures.mean_jerk_m_s3);
+  json["peak_smoothed_jerk_m_s3"] = told(measures.peak_jerk_m_s3);
   json["idle_share"] = told(measures.idle_share);
   json["clearance_m"] = measures.clearance_m ? Json(*measures.clearance_m) : Json();
   json["grid_error_m"] = measures.grid_error_m ? Json(*measures.grid_error_m) : Json();
@@ -71,8 +73,8 @@ std::string measures_text(const LibraryRow& row) {
   std::string text;
   for (const char* id : {"jerk", "idle", "clearance", "grid", "odd"}) {
     const LibraryColumn& column = *workbench::find_library_column(id);
-    text += fmt::format("  {} {}{}", id, workbench::shown_cell(column, row),
-                        column.unit.empty() ? "" : fmt::format(" {}", column.unit));
+    text += fmt::format("  {} {}{}", std::string_view(id) == "jerk" ? "smoothed jerk" : id,
+                        workbench::shown_cell(column, row), column.unit.empty() ? "" : fmt::format(" {}", column.unit));
   }
   return text;
 }

@@ -82,7 +82,10 @@ Status make_fixes(workbench::ProjectFile& file, demonstration::DemonstrationId i
   TROCAR_ASSIGN_OR_RETURN(const auto edits, chosen_fixes(*before, fix, options));
   answer.json["fixed"] = Json::array();
   if (edits.empty()) {
-    answer.text += "No fix helps\n";
+    const std::size_t left = review::Reviewer().make(*before, options).problems.size();
+    answer.text += left == 0 ? "There is nothing to fix: no problem was found\n"
+                             : fmt::format("No quick fix helps; {} to be mended by hand\n",
+                                           left == 1 ? "one problem is" : fmt::format("{} problems are", left));
     return {};
   }
   const workbench::Edit whole =

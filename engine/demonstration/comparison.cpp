@@ -116,7 +116,7 @@ std::string to_markdown(const Comparison& comparison, const std::string& title) 
                 spatial::to_mm(comparison.path_after_m[arm]), "mm", 1);
   }
   for (std::size_t arm = 0; arm < 2; ++arm) {
-    text += row(fmt::format("mean jerk, {}", kArms[arm]), comparison.jerk_before_m_s3[arm],
+    text += row(fmt::format("mean raw jerk, {}", kArms[arm]), comparison.jerk_before_m_s3[arm],
                 comparison.jerk_after_m_s3[arm], "m/s³", 2);
   }
   text += fmt::format("\n| deviation by {}, mm | max | mean | 95 % |\n| --- | ---: | ---: | ---: |\n",

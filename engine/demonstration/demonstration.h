@@ -10,6 +10,7 @@
 #include "engine/core/id.h"
 #include "engine/core/result.h"
 #include "engine/demonstration/edit_stack.h"
+#include "engine/demonstration/note.h"
 #include "engine/demonstration/recording.h"
 #include "engine/demonstration/sample_track.h"
 
@@ -26,16 +27,6 @@ struct SegmentSpan {
   double begin_s = 0.0;
   double end_s = 0.0;
   bool operator==(const SegmentSpan&) const = default;
-};
-
-/// A word about an instant (`begin_s == end_s`) or a span.
-struct Note {
-  std::int64_t id = 0;  ///< Of the edit that added it.
-  double begin_s = 0.0;
-  double end_s = 0.0;
-  std::string text;
-  std::string tag;
-  int rating = 0;  ///< 0: none, else 1 … 5.
 };
 
 /// Immutable value. Times are seconds since the recording's first sample, also after a trim, so that labels stay put.

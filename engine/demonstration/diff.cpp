@@ -113,7 +113,7 @@ std::string change(const std::string& what, const std::string& before, const std
 bool has_note(const Demonstration& document, const Note& note) {
   return std::any_of(document.notes.begin(), document.notes.end(), [&](const Note& each) {
     return each.begin_s == note.begin_s && each.end_s == note.end_s && each.text == note.text && each.tag == note.tag &&
-           each.rating == note.rating;
+           each.rating == note.rating && each.colour == note.colour && each.glyph == note.glyph;
   });
 }
 

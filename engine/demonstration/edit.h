@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/demonstration/note.h"
 #include "engine/demonstration/recording.h"
 
 namespace trocar::demonstration {
@@ -36,6 +37,8 @@ struct TrimIdle {
   bool ends = true;
   bool inside = false;
   double window_s = 0.0;  ///< Speeds are measured over so long before and after; 0: as the rate of the samples allows.
+  int keep_samples = 0;   ///< Not 0: that many stay of each, in place of `keep_s`.
+  std::vector<double> stay_s{};  ///< What is idle at one of these times stays whole.
 };
 
 struct Rename {
@@ -84,6 +87,7 @@ struct Splice {
   std::int64_t as_of = 0;  ///< The point of the project's history at which the source is meant; 0: now.
   /// What the source was then. Not stored: found again from the history, and null until it is.
   std::shared_ptr<const Clip> clip;
+  int peg = -1;  ///< Of `Align::kPeg`: to which start peg; −1: this demonstration's.
 };
 
 enum class Arms : std::uint8_t { kLeft, kRight, kBoth };
@@ -166,6 +170,8 @@ struct Smooth {
   double width_s = 0.25;           ///< Of the window.
   double max_deviation_m = 0.002;  ///< No sample moves further than this.
   bool lock_contacts = true;       ///< Nothing moves while a grasp begins or ends.
+  bool lock_ends = true;           ///< It sets in and ends gently; the very ends stay in any case.
+  bool lock_jaws = false;          ///< Nothing moves where a gripper opens or closes.
 };
 
 /// Keeps the fewest knots from which the path is found again within a tolerance.
@@ -178,13 +184,18 @@ struct Simplify {
   double tolerance_m = 0.0005;
 };
 
+/// Between samples: straight, or along a cubic with the slopes of the neighbours (orientations along the shortest arc
+/// in both); or the nearest sample as it is.
+enum class ResampleBy : std::uint8_t { kLinear, kCubic, kNearest };
 struct Resample {
   static constexpr std::string_view kName = "resample";
   static constexpr std::string_view kHelp = "Give the samples another rate";
   double rate_hz = 200.0;  ///< 1000 Hz divided by a whole number.
+  ResampleBy method = ResampleBy::kLinear;
 };
 
-enum class RetimeTo : std::uint8_t { kScale, kDuration, kSpeedCap, kConstantSpeed };
+/// `kWarp`: along a smooth curve through knots that never turns back.
+enum class RetimeTo : std::uint8_t { kScale, kDuration, kSpeedCap, kConstantSpeed, kWarp };
 struct Retime {
   static constexpr std::string_view kName = "retime";
   static constexpr std::string_view kHelp = "Make a span slower or faster";
@@ -194,6 +205,13 @@ struct Retime {
   double scale = 1.0;  ///< Of the duration.
   double duration_s = 0.0;
   double speed_m_s = 0.05;  ///< The cap, or the constant speed, of the faster tool.
+  /// How long the motion takes to get going at the begin, and to come to rest at the end. The middle keeps its speed
+  /// and the span becomes longer by half of both; where the duration is given, the middle becomes faster.
+  double ease_in_s = 0.0;
+  double ease_out_s = 0.0;
+  /// Of `kWarp`: what was at the first time comes at the second. The begin stays where it is; an end that is not named
+  /// is as far behind the last knot as it was.
+  std::vector<Eigen::Vector2d> knots_s{};
 };
 
 /// Moves a path onto the agent's lattice: a legal path of single actions.
@@ -215,6 +233,17 @@ struct SetJaw {
   double from_s = 0.0;
   double to_s = 0.0;
   double jaw_rad = 0.0;
+  double ramp_s = 0.2;
+};
+
+/// Each opening and closing that the trace of a jaw shows becomes one ramp between where the jaw rests before and
+/// after.
+struct JawEvents {
+  static constexpr std::string_view kName = "jaw-events";
+  static constexpr std::string_view kHelp = "Find where grippers open and close, and make each one clean ramp";
+  double from_s = 0.0;
+  double to_s = 0.0;
+  Arms arms = Arms::kBoth;
   double ramp_s = 0.2;
 };
 
@@ -240,12 +269,16 @@ struct Perturb {
   std::uint64_t seed = 1;
 };
 
-/// Brings the recorded samples of a span back.
+/// Whole samples of an arm, or its poses or its jaw alone; or the labels.
+enum class RevertWhat : std::uint8_t { kSamples, kPose, kJaw, kLabels };
+/// Brings back what was recorded in a span.
 struct Revert {
   static constexpr std::string_view kName = "revert";
-  static constexpr std::string_view kHelp = "Bring a span back as it was recorded";
+  static constexpr std::string_view kHelp = "Bring a span back as it was recorded: an arm or both, all or one channel";
   double from_s = 0.0;
   double to_s = 0.0;
+  Arms arms = Arms::kBoth;
+  RevertWhat what = RevertWhat::kSamples;
 };
 
 /// A word about an instant or a span.
@@ -257,6 +290,8 @@ struct AddNote {
   double to_s = 0.0;
   std::string tag;
   int rating = 0;  ///< 0: none, else 1 to 5.
+  NoteColour colour = NoteColour::kPlain;
+  NoteGlyph glyph = NoteGlyph::kFlag;
 };
 struct RemoveNote {
   static constexpr std::string_view kName = "remove-note";
@@ -265,8 +300,8 @@ struct RemoveNote {
 };
 
 using Edit = std::variant<Trim, TrimIdle, Rename, LabelSegment, ProposeLabels, DeleteSpan, Splice, Overdub, Bridge,
-                          MoveTool, RotateTool, Offset, Smooth, Simplify, Resample, Retime, SnapToGrid, SetJaw, Mirror,
-                          Retarget, Perturb, Revert, AddNote, RemoveNote>;
+                          MoveTool, RotateTool, Offset, Smooth, Simplify, Resample, Retime, SnapToGrid, SetJaw,
+                          JawEvents, Mirror, Retarget, Perturb, Revert, AddNote, RemoveNote>;
 
 /// The edit's name and its parameters as a JSON object; the row of the journal.
 std::string_view name_of(const Edit& edit);

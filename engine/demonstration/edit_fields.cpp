@@ -50,7 +50,31 @@ std::span<const Word> words_of<Filter>() {
 
 template <>
 std::span<const Word> words_of<RetimeTo>() {
-  static constexpr std::array<Word, 4> kWords{"scale", "duration", "speed-cap", "constant-speed"};
+  static constexpr std::array<Word, 5> kWords{"scale", "duration", "speed-cap", "constant-speed", "warp"};
+  return kWords;
+}
+
+template <>
+std::span<const Word> words_of<ResampleBy>() {
+  static constexpr std::array<Word, 3> kWords{"linear", "cubic", "nearest"};
+  return kWords;
+}
+
+template <>
+std::span<const Word> words_of<RevertWhat>() {
+  static constexpr std::array<Word, 4> kWords{"samples", "pose", "jaw", "labels"};
+  return kWords;
+}
+
+template <>
+std::span<const Word> words_of<NoteColour>() {
+  static constexpr std::array<Word, 7> kWords{"plain", "red", "orange", "yellow", "green", "blue", "purple"};
+  return kWords;
+}
+
+template <>
+std::span<const Word> words_of<NoteGlyph>() {
+  static constexpr std::array<Word, 6> kWords{"flag", "star", "tick", "cross", "question", "warning"};
   return kWords;
 }
 

@@ -62,6 +62,14 @@ template <>
 std::span<const std::string_view> words_of<Filter>();
 template <>
 std::span<const std::string_view> words_of<RetimeTo>();
+template <>
+std::span<const std::string_view> words_of<ResampleBy>();
+template <>
+std::span<const std::string_view> words_of<RevertWhat>();
+template <>
+std::span<const std::string_view> words_of<NoteColour>();
+template <>
+std::span<const std::string_view> words_of<NoteGlyph>();
 
 /// Calls `act(const Edited*)`, a null pointer, for every kind of edit.
 template <typename Act>
@@ -91,6 +99,9 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"inside", "Cut pauses inside too"}, edit.inside);
   visitor.field(Field{"window_s", "Speeds are measured over so long before and after; 0: by the rate", false, true},
                 edit.window_s);
+  visitor.field(Field{"keep_samples", "What stays of each, in samples; 0: as the time says", false, true},
+                edit.keep_samples);
+  visitor.field(Field{"stay_s", "What is idle at these times stays whole", false, true}, edit.stay_s);
 }
 template <typename Visitor, Of<Rename> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
@@ -119,6 +130,7 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"until_s", "It replaces what lies up to here; 0: nothing"}, edit.until_s);
   visitor.field(Field{"align", "Where the arms go"}, edit.align);
   visitor.field(Field{"as_of", "The point of the history at which the source is meant; 0: now"}, edit.as_of);
+  visitor.field(Field{"peg", "To which start peg, 0 to 5, with peg; -1: this demonstration's", false, true}, edit.peg);
 }
 template <typename Visitor, Of<Overdub> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
@@ -172,6 +184,8 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"width_s", "Of the window"}, edit.width_s);
   visitor.field(Field{"max_deviation_m", "No sample moves further"}, edit.max_deviation_m);
   visitor.field(Field{"lock_contacts", "Hold still where a grasp begins or ends"}, edit.lock_contacts);
+  visitor.field(Field{"lock_ends", "Ease in and out at the ends of the span", false, true}, edit.lock_ends);
+  visitor.field(Field{"lock_jaws", "Hold still where a gripper opens or closes", false, true}, edit.lock_jaws);
 }
 template <typename Visitor, Of<Simplify> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
@@ -183,6 +197,7 @@ void visit_fields(Visitor& visitor, Edited& edit) {
 template <typename Visitor, Of<Resample> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"rate_hz", "The new rate"}, edit.rate_hz);
+  visitor.field(Field{"method", "How it goes between samples", false, true}, edit.method);
 }
 template <typename Visitor, Of<Retime> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
@@ -192,6 +207,9 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"scale", "Factor of the duration"}, edit.scale);
   visitor.field(Field{"duration_s", "The new duration"}, edit.duration_s);
   visitor.field(Field{"speed_m_s", "The speed of the faster tool"}, edit.speed_m_s);
+  visitor.field(Field{"ease_in_s", "How long it takes to get going; 0: at once", false, true}, edit.ease_in_s);
+  visitor.field(Field{"ease_out_s", "How long it takes to come to rest; 0: at once", false, true}, edit.ease_out_s);
+  visitor.field(Field{"knots_s", "With warp: old time to new time, as 1.5:2,3:2.5", false, true}, edit.knots_s);
 }
 template <typename Visitor, Of<SnapToGrid> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
@@ -208,6 +226,13 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"to_s", "End"}, edit.to_s);
   visitor.field(Field{"jaw_rad", "The opening"}, edit.jaw_rad);
   visitor.field(Field{"ramp_s", "How long it takes"}, edit.ramp_s);
+}
+template <typename Visitor, Of<JawEvents> Edited>
+void visit_fields(Visitor& visitor, Edited& edit) {
+  visitor.field(Field{"from_s", "Begin"}, edit.from_s);
+  visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"arms", "Which arms"}, edit.arms);
+  visitor.field(Field{"ramp_s", "How long each takes"}, edit.ramp_s);
 }
 template <typename Visitor, Of<Mirror> Edited>
 void visit_fields(Visitor& /*visitor*/, Edited& /*edit*/) {}
@@ -226,6 +251,8 @@ template <typename Visitor, Of<Revert> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"from_s", "Begin"}, edit.from_s);
   visitor.field(Field{"to_s", "End"}, edit.to_s);
+  visitor.field(Field{"arms", "Which arms", false, true}, edit.arms);
+  visitor.field(Field{"what", "Samples whole, or one channel", false, true}, edit.what);
 }
 template <typename Visitor, Of<AddNote> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {
@@ -234,6 +261,8 @@ void visit_fields(Visitor& visitor, Edited& edit) {
   visitor.field(Field{"to_s", "End"}, edit.to_s);
   visitor.field(Field{"tag", "A word to find it by"}, edit.tag);
   visitor.field(Field{"rating", "1 to 5; 0: none"}, edit.rating);
+  visitor.field(Field{"colour", "Of its mark", false, true}, edit.colour);
+  visitor.field(Field{"glyph", "Its mark", false, true}, edit.glyph);
 }
 template <typename Visitor, Of<RemoveNote> Edited>
 void visit_fields(Visitor& visitor, Edited& edit) {

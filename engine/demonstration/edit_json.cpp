@@ -34,6 +34,8 @@ class Writer {
       return std::string(words_of<Value>()[static_cast<std::size_t>(value)]);
     } else if constexpr (std::is_same_v<Value, Eigen::Vector3d>) {
       return {value.x(), value.y(), value.z()};
+    } else if constexpr (std::is_same_v<Value, Eigen::Vector2d>) {
+      return {value.x(), value.y()};
     } else {
       return value;
     }
@@ -70,6 +72,9 @@ struct ValueReader {
     return from.is_array() && from.size() == 3 && read(from[0], value.x()) && read(from[1], value.y()) &&
            read(from[2], value.z());
   }
+  static bool read(const json& from, Eigen::Vector2d& value) {
+    return from.is_array() && from.size() == 2 && read(from[0], value.x()) && read(from[1], value.y());
+  }
   template <typename Enum>
   requires std::is_enum_v<Enum>
   static bool read(const json& from, Enum& value) {
@@ -83,7 +88,7 @@ struct ValueReader {
   template <typename Element>
   static bool read(const json& from, std::vector<Element>& list) {
     if (!from.is_array()) return false;
-    list.assign(from.size(), Element{});
+    list.assign(from.size(), Element());
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (!read(from[i], list[i])) return false;
     }
@@ -100,6 +105,7 @@ struct KindName {
   static std::string of(bool) { return "true or false"; }
   static std::string of(const std::string&) { return "text"; }
   static std::string of(const Eigen::Vector3d&) { return "three numbers"; }
+  static std::string of(const Eigen::Vector2d&) { return "two numbers"; }
   template <typename Enum>
   requires std::is_enum_v<Enum>
   static std::string of(Enum) { return fmt::format("one of {}", fmt::join(words_of<Enum>(), ", ")); }

@@ -14,6 +14,11 @@ std::string span(double from_s, double to_s) {
   return fmt::format("{:.2f}–{:.2f} s", from_s, to_s);
 }
 
+template <typename Enum>
+std::string_view word_for(Enum value) {
+  return words_of<Enum>()[static_cast<std::size_t>(value)];
+}
+
 /// "the left tool of Expert 1", "both tools of …".
 std::string tools(Arms arms, std::string_view name) {
   if (arms == Arms::kBoth) return fmt::format("both tools of {}", name);
@@ -22,10 +27,15 @@ std::string tools(Arms arms, std::string_view name) {
 
 struct Teller {
   std::string_view name;
+  std::string_view source;
 
+  std::string taken_from(std::int64_t id) const {
+    return source.empty() ? fmt::format("demonstration {}", id) : std::string(source);
+  }
   std::string operator()(const Trim& e) const { return fmt::format("Trim {} to {}", name, span(e.from_s, e.to_s)); }
   std::string operator()(const TrimIdle& e) const {
-    return fmt::format("Leave out what is idle in {}{}", name, e.inside ? ", pauses too" : "");
+    return fmt::format("Leave out what is idle in {}{}{}", name, e.inside ? ", pauses too" : "",
+                       e.stay_s.empty() ? "" : fmt::format(", {} kept", e.stay_s.size()));
   }
   std::string operator()(const Rename& e) const { return fmt::format("Rename {} to {}", name, e.name); }
   std::string operator()(const LabelSegment& e) const {
@@ -36,12 +46,12 @@ struct Teller {
     return fmt::format("{} {} of {}", e.ripple ? "Delete" : "Lift", span(e.from_s, e.to_s), name);
   }
   std::string operator()(const Splice& e) const {
-    return fmt::format("Put {} of demonstration {} into {} at {:.2f} s", span(e.clip_from_s, e.clip_to_s), e.source,
-                       name, e.at_s);
+    return fmt::format("Put {} of {} into {} at {:.2f} s", span(e.clip_from_s, e.clip_to_s), taken_from(e.source), name,
+                       e.at_s);
   }
   std::string operator()(const Overdub& e) const {
-    return fmt::format("Replace {} by {} of demonstration {} from {:.2f} s", tools(e.arms, name),
-                       span(e.clip_from_s, e.clip_to_s), e.source, e.at_s);
+    return fmt::format("Replace {} by {} of {} from {:.2f} s", tools(e.arms, name), span(e.clip_from_s, e.clip_to_s),
+                       taken_from(e.source), e.at_s);
   }
   std::string operator()(const Bridge& e) const {
     return fmt::format("Bridge {} of {}, {}", span(e.from_s, e.to_s), tools(e.arms, name),
@@ -66,8 +76,13 @@ struct Teller {
     return fmt::format("Simplify {} of {} within {:.2f} mm", span(e.from_s, e.to_s), tools(e.arms, name),
                        1e3 * e.tolerance_m);
   }
-  std::string operator()(const Resample& e) const { return fmt::format("Resample {} to {:g} Hz", name, e.rate_hz); }
+  std::string operator()(const Resample& e) const {
+    return fmt::format("Resample {} to {:g} Hz, {}", name, e.rate_hz, word_for(e.method));
+  }
   std::string operator()(const Retime& e) const {
+    return retimed(e) + (e.ease_in_s + e.ease_out_s > 0.0 ? ", eased" : "");
+  }
+  std::string retimed(const Retime& e) const {
     std::string what = fmt::format("Retime {} of {}", span(e.from_s, e.to_s), name);
     switch (e.mode) {
       case RetimeTo::kScale:
@@ -78,6 +93,8 @@ struct Teller {
         return fmt::format("{} to at most {:.0f} mm/s", what, 1e3 * e.speed_m_s);
       case RetimeTo::kConstantSpeed:
         return fmt::format("{} to {:.0f} mm/s", what, 1e3 * e.speed_m_s);
+      case RetimeTo::kWarp:
+        return fmt::format("{} by a curve of {} {}", what, e.knots_s.size(), e.knots_s.size() == 1 ? "knot" : "knots");
     }
     return what;
   }
@@ -88,6 +105,9 @@ struct Teller {
     return fmt::format("Jaw of {} to {:.0f}° in {}", tools(e.arms, name), spatial::to_degrees(e.jaw_rad),
                        span(e.from_s, e.to_s));
   }
+  std::string operator()(const JawEvents& e) const {
+    return fmt::format("Clean gripper events of {} in {}", tools(e.arms, name), span(e.from_s, e.to_s));
+  }
   std::string operator()(const Mirror&) const { return fmt::format("Mirror {}", name); }
   std::string operator()(const Retarget& e) const {
     return fmt::format("Retarget {} to block {} and peg {}", name, e.block, e.goal);
@@ -95,15 +115,22 @@ struct Teller {
   std::string operator()(const Perturb& e) const {
     return fmt::format("Perturb {} by {:.2f} mm, seed {}", name, 1e3 * e.sigma_m, e.seed);
   }
-  std::string operator()(const Revert& e) const { return fmt::format("Revert {} of {}", span(e.from_s, e.to_s), name); }
+  std::string operator()(const Revert& e) const {
+    if (e.what == RevertWhat::kLabels)
+      return fmt::format("Revert the labels in {} of {}", span(e.from_s, e.to_s), name);
+    if (e.what == RevertWhat::kSamples && e.arms == Arms::kBoth)
+      return fmt::format("Revert {} of {}", span(e.from_s, e.to_s), name);
+    return fmt::format("Revert the {} of {} in {}", e.what == RevertWhat::kSamples ? "motion" : word_for(e.what),
+                       tools(e.arms, name), span(e.from_s, e.to_s));
+  }
   std::string operator()(const AddNote& e) const { return fmt::format("Note “{}” on {}", e.text, name); }
   std::string operator()(const RemoveNote& e) const { return fmt::format("Remove note {} from {}", e.note, name); }
 };
 
 }  // namespace
 
-std::string sentence(const Edit& edit, std::string_view name) {
-  return std::visit(Teller{name}, edit);
+std::string sentence(const Edit& edit, std::string_view name, std::string_view source) {
+  return std::visit(Teller{name, source}, edit);
 }
 
 }  // namespace trocar::demonstration

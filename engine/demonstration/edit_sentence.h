@@ -9,6 +9,6 @@
 namespace trocar::demonstration {
 
 /// "Trim Expert 1 to 0.40–12.30 s"; `name` is the demonstration's. No full stop.
-std::string sentence(const Edit& edit, std::string_view name);
+std::string sentence(const Edit& edit, std::string_view name, std::string_view source = {});
 
 }  // namespace trocar::demonstration

@@ -46,7 +46,14 @@ struct EffectOf {
     const double span_s = edit.to_s - edit.from_s;
     double after_s = span_s;
     if (edit.mode == RetimeTo::kScale) after_s = span_s * edit.scale;
-    if (edit.mode == RetimeTo::kDuration) after_s = edit.duration_s;
+    if (edit.mode == RetimeTo::kWarp && !edit.knots_s.empty()) {
+      const Eigen::Vector2d& last = edit.knots_s.back();
+      after_s = last.y() + std::max(edit.to_s - last.x(), 0.0) - edit.from_s;
+    } else if (edit.mode == RetimeTo::kDuration) {
+      after_s = edit.duration_s;
+    } else {
+      after_s += 0.5 * (edit.ease_in_s + edit.ease_out_s);
+    }
     return Effect{edit.from_s, edit.to_s, after_s};
   }
   std::optional<Effect> operator()(const Trim&) const { return std::nullopt; }

@@ -65,6 +65,9 @@ class WordWriter {
  private:
   static std::string written(double value, double factor) { return number(value * factor); }
   static std::string written(const std::string& value, double) { return value; }
+  static std::string written(const Eigen::Vector2d& value, double factor) {
+    return fmt::format("{}:{}", number(value.x() * factor), number(value.y() * factor));
+  }
   static std::string written(const Eigen::Vector3d& value, double factor) {
     return fmt::format("{},{},{}", number(value.x() * factor), number(value.y() * factor), number(value.z() * factor));
   }
@@ -92,7 +95,7 @@ struct OptionLister {
   template <typename Value>
   void field(const Field& field, const Value& value) {
     const TypedField how = typed(field.key);
-    EditOption row{how.option, {}, how.unit, field.help, field.positional, std::is_same_v<Value, bool>, {}, {}};
+    EditOption row{how.option, {}, how.unit, field.help, field.positional, std::is_same_v<Value, bool>, {}, {}, false};
     std::string word(field.key);
     for (const Unit& unit : kUnits) {
       if (!word.ends_with(unit.ending)) continue;
@@ -107,6 +110,7 @@ struct OptionLister {
     WordWriter writer;
     writer.field(Field{field.key, field.help, true}, value);
     row.text = writer.words.front();
+    row.number = std::is_arithmetic_v<Value> && !row.flag;
     options.push_back(std::move(row));
   }
 };
@@ -141,6 +145,14 @@ struct WordReader {
   static std::string read(std::string_view text, double, bool& value) {
     value = text == "yes";
     return value || text == "no" ? "" : "yes or no";
+  }
+  static std::string read(std::string_view text, double factor, Eigen::Vector2d& value) {
+    const std::size_t colon = text.find(':');
+    if (colon != std::string_view::npos && read(text.substr(0, colon), factor, value.x()).empty() &&
+        read(text.substr(colon + 1), factor, value.y()).empty()) {
+      return "";
+    }
+    return "two numbers with a colon between";
   }
   static std::string read(std::string_view text, double factor, Eigen::Vector3d& value) {
     const std::vector<std::string_view> parts = parts_of(text);
@@ -215,7 +227,8 @@ Result<Typed> sorted_out(const std::vector<std::string>& words) {
 
 class FieldFiller {
  public:
-  explicit FieldFiller(Typed typed_in) : typed_(std::move(typed_in)) {}
+  /// `present`: what is not typed, positional words too, is there already.
+  explicit FieldFiller(Typed typed_in, bool present = false) : typed_(std::move(typed_in)), present_(present) {}
 
   template <typename Value>
   void field(const Field& field, Value& value) {
@@ -228,7 +241,7 @@ class FieldFiller {
       text = typed_.bare[next_bare_++];
     }
     if (!text) {
-      if (field.positional && problem_.empty()) problem_ = fmt::format("it needs a word: {}", field.help);
+      if (field.positional && !present_ && problem_.empty()) problem_ = fmt::format("it needs a word: {}", field.help);
       return;
     }
     const std::string wanted = WordReader::read(*text, how.factor, value);
@@ -249,6 +262,7 @@ class FieldFiller {
 
  private:
   Typed typed_;
+  bool present_ = false;
   std::size_t next_bare_ = 0;
   std::string problem_;
 };
@@ -287,6 +301,17 @@ Result<Edit> edit_from_words(const std::vector<std::string>& words) {
     const Status filled = filler.done(Edited::kName);
     edit = filled ? Result<Edit>(std::move(made)) : tl::unexpected(filled.error());
   });
+  return edit;
+}
+
+Result<Edit> edit_from_words(const std::vector<std::string>& words, const Edit& present) {
+  if (words.empty()) return wrong("there is no edit");
+  if (words.front() != name_of(present)) return wrong(fmt::format("{} is no {}", words.front(), name_of(present)));
+  TROCAR_ASSIGN_OR_RETURN(Typed typed_words, sorted_out(words));
+  Edit edit = present;
+  FieldFiller filler(std::move(typed_words), true);
+  std::visit([&](auto& one) { visit_fields(filler, one); }, edit);
+  TROCAR_RETURN_IF_ERROR(filler.done(name_of(present)));
   return edit;
 }
 

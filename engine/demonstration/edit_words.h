@@ -25,6 +25,9 @@ std::vector<std::string> to_words(const Edit& edit);
 /// Options may stand in any order; what is left out keeps its default. Values that are lists are separated by commas.
 /// Errors: kInvalidArgument naming an unknown edit or option, a doubled option, or a value of the wrong kind.
 Result<Edit> edit_from_words(const std::vector<std::string>& words);
+/// The same where what is left out is as in `present`, positional words too. Errors also: kInvalidArgument if the words
+/// name another kind of edit.
+Result<Edit> edit_from_words(const std::vector<std::string>& words, const Edit& present);
 
 /// One parameter as a form shows it.
 struct EditOption {
@@ -36,6 +39,7 @@ struct EditOption {
   bool flag = false;                 ///< The text is "yes" or "no".
   std::vector<std::string> choices;  ///< The text is one of them; empty: anything.
   std::string text;
+  bool number = false;  ///< The text is one number.
 };
 std::vector<EditOption> options_of(const Edit& edit);
 /// Errors: as `edit_from_words`.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "engine/demonstration/edit_fields.h"
 #include "engine/demonstration/name.h"
 
 namespace trocar::exchange {
@@ -38,6 +39,23 @@ Json provenance_json(const Provenance& provenance, const demonstration::Demonstr
           {"created", provenance.created}};
 }
 
+template <typename Enum>
+std::string word_of(Enum value) {
+  return std::string(demonstration::words_of<Enum>()[static_cast<std::size_t>(value)]);
+}
+
+/// Files of before notes had colours are without; a word that is not known is wrong.
+template <typename Enum>
+bool take_word(const Json& object, const char* key, Enum& into) {
+  if (!object.is_object() || !object.contains(key)) return true;
+  if (!object[key].is_string()) return false;
+  const auto words = demonstration::words_of<Enum>();
+  const auto found = std::find(words.begin(), words.end(), object[key].template get<std::string>());
+  if (found == words.end()) return false;
+  into = static_cast<Enum>(found - words.begin());
+  return true;
+}
+
 /// Times from the first gated sample; notes that lie outside of the gates are left out.
 Json notes_json(const demonstration::Demonstration& document, double first_s) {
   Json notes = Json::array();
@@ -47,7 +65,9 @@ Json notes_json(const demonstration::Demonstration& document, double first_s) {
                      {"to_s", note.end_s - first_s},
                      {"text", note.text},
                      {"tag", note.tag},
-                     {"rating", note.rating}});
+                     {"rating", note.rating},
+                     {"colour", word_of(note.colour)},
+                     {"glyph", word_of(note.glyph)}});
   }
   return notes;
 }
@@ -143,7 +163,8 @@ bool take_notes(const Json* array, std::vector<demonstration::AddNote>& into) {
     fields.take_whole("rating", note.rating, 0, 5);
     const bool named =
         demonstration::check_name(note.text) && (note.tag.empty() || demonstration::check_name(note.tag));
-    if (!fields.good || !named || note.to_s < note.from_s) return false;
+    const bool marked = take_word(object, "colour", note.colour) && take_word(object, "glyph", note.glyph);
+    if (!fields.good || !named || !marked || note.to_s < note.from_s) return false;
     into.push_back(std::move(note));
   }
   return true;

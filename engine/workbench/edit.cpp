@@ -354,7 +354,12 @@ struct Description {
   }
   std::string operator()(const EditDemonstration& edit) const {
     const std::string subject = name(edit.demonstration);
-    return demonstration::sentence(edit.edit, subject);
+    const auto* splice = std::get_if<demonstration::Splice>(&edit.edit);
+    const auto* overdub = std::get_if<demonstration::Overdub>(&edit.edit);
+    std::string source;
+    if (splice != nullptr) source = name(DemonstrationId{splice->source});
+    if (overdub != nullptr) source = name(DemonstrationId{overdub->source});
+    return demonstration::sentence(edit.edit, subject, source);
   }
 };
 

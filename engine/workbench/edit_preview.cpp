@@ -1,5 +1,6 @@
 #include "engine/workbench/edit_preview.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace trocar::workbench {
@@ -33,6 +34,12 @@ std::vector<demonstration::SnapFigures> snap_of(const PreviewRequest& request) {
   return demonstration::snap_figures(found_by(request), *snap).value_or(std::vector<demonstration::SnapFigures>{});
 }
 
+std::vector<demonstration::IdleCut> idle_in(const PreviewRequest& request) {
+  const auto* trim = std::get_if<demonstration::TrimIdle>(&request.edit);
+  if (trim == nullptr) return {};
+  return demonstration::idle_cuts(found_by(request), *trim).value_or(std::vector<demonstration::IdleCut>());
+}
+
 }  // namespace
 
 std::shared_ptr<const EditPreview> preview_of(const PreviewRequest& request) {
@@ -43,9 +50,11 @@ std::shared_ptr<const EditPreview> preview_of(const PreviewRequest& request) {
     preview->error = request.problem;
     return preview;
   }
+  preview->idle = idle_in(request);
   Result<demonstration::Demonstration> after = edited(request);
   if (after) {
     preview->difference = demonstration::difference(*request.before, *after);
+    preview->effect = demonstration::effect_of(request.edit, *request.before, *after);
     preview->snap = snap_of(request);
     preview->after = std::make_shared<const demonstration::Demonstration>(std::move(*after));
   } else {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "engine/demonstration/diff.h"
+#include "engine/demonstration/edit_effect.h"
 #include "engine/demonstration/edits.h"
+#include "engine/demonstration/idle_cuts.h"
 #include "engine/demonstration/snap_figures.h"
 
 namespace trocar::workbench {
@@ -24,7 +26,10 @@ struct EditPreview {
   std::shared_ptr<const demonstration::Demonstration> after;  ///< Null if the edit cannot be made.
   demonstration::Difference difference;
   std::vector<demonstration::SnapFigures> snap;  ///< Of an edit that snaps to the lattice.
-  std::string error;                             ///< Why it cannot.
+  demonstration::EditEffect effect;
+  /// Of an edit that trims what is idle: what it finds; also where it cannot be made because all of it stays.
+  std::vector<demonstration::IdleCut> idle;
+  std::string error;  ///< Why it cannot.
 };
 
 /// Nothing for a request without a demonstration. Threads: any.

@@ -22,18 +22,27 @@ bool holds(std::string_view text, std::string_view word) {
 /// Columns whose text is one of few words, so that a part of one means nothing.
 constexpr std::array<std::string_view, 5> kWholeWords{"flag", "verdict", "outcome", "replay", "arms"};
 
-bool text_matches(const LibraryColumn& column, const LibraryRow& row, const LibraryCell& cell, std::string_view word) {
+enum class Match { kExact, kWhole, kPart };
+
+bool matches(std::string_view text, std::string_view word, Match how) {
+  return how == Match::kPart ? holds(text, word) : lower_case(text) == word;
+}
+
+/// `kWhole`: a part, but not of what is one of few words.
+bool text_matches(const LibraryColumn& column, const LibraryRow& row, const LibraryCell& cell, std::string_view word,
+                  Match how) {
   if (cell.kind == LibraryCell::Kind::kNone) return word == "none";
   if (column.id == "tag") {
     return std::any_of(row.marks.tags.begin(), row.marks.tags.end(),
-                       [&](const std::string& tag) { return lower_case(tag) == word; });
+                       [&](const std::string& tag) { return matches(tag, word, how); });
   }
-  if (column.id == "segment") {
+  if (column.id == "segment" && how != Match::kExact) {
     const std::string letters = lower_case(row.segments);
     return std::all_of(word.begin(), word.end(), [&](char each) { return letters.find(each) != std::string::npos; });
   }
-  const bool whole = std::find(kWholeWords.begin(), kWholeWords.end(), column.id) != kWholeWords.end();
-  return whole ? lower_case(cell.text) == word : holds(cell.text, word);
+  const bool few = std::find(kWholeWords.begin(), kWholeWords.end(), column.id) != kWholeWords.end();
+  return matches(column.id == "segment" ? std::string_view(row.segments) : std::string_view(cell.text), word,
+                 how == Match::kWhole && !few ? Match::kPart : how);
 }
 
 bool word_matches(const LibraryRow& row, std::string_view word) {
@@ -60,7 +69,10 @@ LibraryQuery::Answer LibraryQuery::leaf(const Node& node, const LibraryRow& row)
   const LibraryCell cell = node.column->cell(row);
   if (cell.kind == LibraryCell::Kind::kPending) return Answer::kUnknown;
   if (node.test == Test::kText) {
-    return answer_of(text_matches(*node.column, row, cell, node.text) == (node.relation == Relation::kEqual));
+    const bool exact = node.relation == Relation::kEqual || node.relation == Relation::kOther;
+    const bool contrary = node.relation == Relation::kOther || node.relation == Relation::kLacks;
+    const Match how = exact ? Match::kExact : node.whole ? Match::kWhole : Match::kPart;
+    return answer_of(text_matches(*node.column, row, cell, node.text, how) != contrary);
   }
   if (cell.kind != LibraryCell::Kind::kNumber) return Answer::kNo;
   switch (node.relation) {
@@ -76,6 +88,9 @@ LibraryQuery::Answer LibraryQuery::leaf(const Node& node, const LibraryRow& row)
       return answer_of(cell.number == node.number);
     case Relation::kOther:
       return answer_of(cell.number != node.number);
+    case Relation::kHas:
+    case Relation::kLacks:
+      return Answer::kNo;  // The parser lets none through.
   }
   return Answer::kNo;
 }

@@ -15,9 +15,10 @@ namespace trocar::workbench {
 /// What was asked, ready to be held against rows. One term after the other means all of them; `and`, `or`, `not` and
 /// parentheses combine. A term is
 /// - a comparison of a number, in the unit that its column shows: `length>10`, `idle>=20`, `clearance<0.5mm`;
-/// - `column:word` for text: the same word for flag, verdict, outcome, replay, arms and any one tag, all letters of
-///   `segment:ABC`, else what is found anywhere in it; `flag:none` for what has none. `=` is the same, `!=` its
-///   contrary;
+/// - `column=word` for text that is just that, or any one tag that is, `!=` for its contrary; `flag=none` for what has
+///   none;
+/// - `column:word` or `column~word` for text that has the word somewhere, `!~` for its contrary: any part of it, all
+///   letters of `segment:ABC`, but with `:` the whole word of flag, verdict, outcome, replay, arms and any one tag;
 /// - `duplicate`, `odd` (three deviations or more), `flagged` or `tagged`;
 /// - any other word, or "several in quotes": found in name, tags, source or note.
 /// The case of letters does not matter.
@@ -40,14 +41,15 @@ class LibraryQuery {
  private:
   friend class QueryParser;
   enum class Test : std::uint8_t { kAll, kAny, kNot, kNumber, kText, kWord, kKeyword };
-  enum class Relation : std::uint8_t { kLess, kLessOrEqual, kMore, kMoreOrEqual, kEqual, kOther };
+  enum class Relation : std::uint8_t { kLess, kLessOrEqual, kMore, kMoreOrEqual, kEqual, kOther, kHas, kLacks };
   struct Node {
     Test test = Test::kAll;
     std::vector<std::size_t> parts;  ///< Of kAll, kAny and kNot.
     const LibraryColumn* column = nullptr;
     Relation relation = Relation::kEqual;
     double number = 0.0;
-    std::string text;  ///< In small letters.
+    std::string text;    ///< In small letters.
+    bool whole = false;  ///< Written with a colon: of what is one of few words, the whole word.
   };
   Answer answer(const Node& node, const LibraryRow& row) const;
   static Answer leaf(const Node& node, const LibraryRow& row);

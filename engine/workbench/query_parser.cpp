@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLongest = 2000;
 constexpr int kDeepest = 50;
-constexpr std::string_view kRelationSigns = "<>=!:";
+constexpr std::string_view kRelationSigns = "<>=!:~";
 constexpr std::array<std::string_view, 4> kKeywords{"duplicate", "odd", "flagged", "tagged"};
 
 bool is_blank(char c) {
@@ -64,7 +64,9 @@ Status QueryParser::split() {
       tokens_.push_back({Kind::kQuoted, std::string(text_.substr(i + 1, end - i - 1)), begin, end + 1});
       i = end + 1;
     } else if (kRelationSigns.find(c) != std::string_view::npos) {
-      i += i + 1 < text_.size() && text_[i + 1] == '=' && c != ':' && c != '=' ? 2 : 1;
+      const char next = i + 1 < text_.size() ? text_[i + 1] : ' ';
+      const bool two = (next == '=' && (c == '<' || c == '>' || c == '!')) || (c == '!' && next == '~');
+      i += two ? 2 : 1;
       tokens_.push_back({Kind::kRelation, std::string(text_.substr(begin, i - begin)), begin, i});
     } else {
       while (i < text_.size() && !ends_word(text_[i])) ++i;
@@ -175,13 +177,15 @@ QueryParser::Place QueryParser::term() {
 
 QueryParser::Place QueryParser::comparison(const LibraryColumn& column, const Token& name) {
   using Relation = LibraryQuery::Relation;
-  constexpr std::array<std::pair<std::string_view, Relation>, 7> kRelations{{{"<", Relation::kLess},
+  constexpr std::array<std::pair<std::string_view, Relation>, 9> kRelations{{{"<", Relation::kLess},
                                                                              {"<=", Relation::kLessOrEqual},
                                                                              {">", Relation::kMore},
                                                                              {">=", Relation::kMoreOrEqual},
                                                                              {"=", Relation::kEqual},
-                                                                             {":", Relation::kEqual},
-                                                                             {"!=", Relation::kOther}}};
+                                                                             {"!=", Relation::kOther},
+                                                                             {":", Relation::kHas},
+                                                                             {"~", Relation::kHas},
+                                                                             {"!~", Relation::kLacks}}};
   const Token relation = tokens_[next_++];
   const auto* found =
       std::find_if(kRelations.begin(), kRelations.end(), [&](const auto& each) { return each.first == relation.text; });
@@ -194,14 +198,23 @@ QueryParser::Place QueryParser::comparison(const LibraryColumn& column, const To
   node.column = &column;
   node.relation = found->second;
   node.test = column.number ? LibraryQuery::Test::kNumber : LibraryQuery::Test::kText;
+  const bool of_text = node.relation == Relation::kHas || node.relation == Relation::kLacks;
   if (column.number) {
+    // length:10 is length=10; nothing is a part of a number.
+    if (relation.text == ":") node.relation = Relation::kEqual;
+    if (of_text && relation.text != ":") {
+      return wrong(
+          fmt::format("{} is a number, so that {} says nothing of it; ask {}=10", column.id, relation.text, column.id),
+          relation.begin);
+    }
     TROCAR_ASSIGN_OR_RETURN(node.number, number_from(column, *value));
-  } else if (node.relation != Relation::kEqual && node.relation != Relation::kOther) {
+  } else if (!of_text && node.relation != Relation::kEqual && node.relation != Relation::kOther) {
     return wrong(
         fmt::format("{} is text, so that {} says nothing of it; ask {}:WORD", column.id, relation.text, column.id),
         relation.begin);
   } else {
     node.text = lower_case(value->text);
+    node.whole = relation.text == ":";
   }
   ++next_;
   return keep(std::move(node));

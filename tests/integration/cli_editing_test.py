@@ -49,7 +49,7 @@ class Rates(CommandLineTest):
     def test_at_5_hz_there_is_jerk_and_motion_and_no_gap(self):
         project, thin = self.thinned(5.0)
         rows = {row["name"]: row for row in self.answer("demo", "list", project, "--measures")["demonstrations"]}
-        self.assertGreater(rows["Thin"]["mean_jerk_m_s3"], 0.0)
+        self.assertGreater(rows["Thin"]["mean_smoothed_jerk_m_s3"], 0.0)
         self.assertLess(rows["Thin"]["idle_share"], 0.9)
         self.assertEqual(self.gaps(self.answer("demo", "check", project, thin,
                                                code=trocar("demo", "check", project, thin).returncode)), [])
@@ -57,8 +57,8 @@ class Rates(CommandLineTest):
     def test_at_2_hz_the_jerk_is_unknown(self):
         project, _ = self.thinned(2.0)
         rows = {row["name"]: row for row in self.answer("demo", "list", project, "--measures")["demonstrations"]}
-        self.assertIsNone(rows["Thin"]["mean_jerk_m_s3"])
-        self.assertIsNotNone(rows["Expert"]["mean_jerk_m_s3"])
+        self.assertIsNone(rows["Thin"]["mean_smoothed_jerk_m_s3"])
+        self.assertIsNotNone(rows["Expert"]["mean_smoothed_jerk_m_s3"])
 
 
 class Stack(CommandLineTest):

@@ -39,10 +39,10 @@ class LibraryTest(CommandLineTest):
         self.assertEqual(row["models"], ["A exact"])
         self.assertFalse(row["models_stale"])
         row = self.answer("demo", "list", project, "--measures")["demonstrations"][0]
-        for key in ("path_lengths_m", "mean_jerk_m_s3", "peak_jerk_m_s3", "idle_share", "clearance_m", "grid_error_m"):
+        for key in ("path_lengths_m", "mean_smoothed_jerk_m_s3", "peak_smoothed_jerk_m_s3", "idle_share", "clearance_m", "grid_error_m"):
             self.assertIn(key, row)
         # A steady hand: the tremor of 0.1 mm at 10 Hz alone would be 16 m/s³ in the mean.
-        self.assertLess(row["mean_jerk_m_s3"], 5.0)
+        self.assertLess(row["mean_smoothed_jerk_m_s3"], 5.0)
 
     def test_a_wrong_filter_or_column_is_refused_in_one_sentence(self):
         project = self.recorded_project()

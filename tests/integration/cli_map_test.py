@@ -49,6 +49,24 @@ class ColumnMaps(CommandLineTest):
         self.assertAlmostEqual(float(value["left_setpoint_x_m"]), -0.01 * math.sin(1 / 20), delta=1e-7)
         self.assertAlmostEqual(float(value["left_setpoint_z_m"]), 0.0351, delta=1e-9)
 
+    def test_a_proposed_map_is_taken_and_kept_in_one_go(self):
+        project = self.empty_project()
+        table = self.table()
+        kept = self.folder / "kept.json"
+        answer = self.answer("demo", "import", project, table, "--map", "proposed", "--save-map", kept)
+        self.assertEqual(answer["imported"], 1)
+        self.assertEqual(json.loads(kept.read_text()), answer["map"])
+        again = self.answer("demo", "import", project, table, "--map", kept, "--name", "Again")
+        self.assertEqual(again["hash"], answer["hash"])
+        # With --json there is nothing but JSON, also where the map itself is shown.
+        done = trocar("demo", "import", project, table, "--dry-run", "--save-map", self.folder / "dry.json", "--json")
+        self.assertEqual(json.loads(done.stdout)["map"], answer["map"])
+        self.assertEqual(json.loads((self.folder / "dry.json").read_text()), answer["map"])
+        own = self.folder / "own.csv"
+        self.answer("demo", "export", project, answer["name"], own)
+        self.refused("demo", "import", project, own, "--save-map", kept, code=USAGE, saying="no map to keep")
+        self.assertEqual(self.answer("info", project)["demonstrations"], 2)
+
     def test_joints_of_an_array_go_through_the_arms_kinematics(self):
         project = self.empty_project()
         rows = [[0.1, 0.1, 0.12 + 0.0001 * i, 0.0, 0.1, 0.1, 0.3] for i in range(50)]

@@ -88,7 +88,7 @@ void draw_facts(Ui& ui, const Comparison& comparison) {
          was_words(1e3 * comparison.path_before_m[arm], 1e3 * comparison.path_after_m[arm], 1, "mm"));
   }
   for (std::size_t arm = 0; arm < 2; ++arm) {
-    fact(ui, arm == 0 ? "Mean jerk, left" : "Mean jerk, right",
+    fact(ui, arm == 0 ? "Raw jerk, left" : "Raw jerk, right",
          was_words(comparison.jerk_before_m_s3[arm], comparison.jerk_after_m_s3[arm], 2, "m/s³"));
   }
   UniqueNames unique;

@@ -15,6 +15,8 @@ using workbench::Command;
 
 constexpr std::string_view kHelp =
     "length>10, jerk<0.3, idle>20, clearance<0.5, segment:ABC, tag:WORD, flag:bad, outcome:success, duplicate, odd; "
+    "name=X is just X, "
+    "name~X has it somewhere; "
     "and, or, not, parentheses; any other word is looked for in names, tags and notes";
 
 /// What is asked most often, one click each.

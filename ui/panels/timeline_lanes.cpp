@@ -9,6 +9,7 @@
 
 #include "engine/demonstration/edit_words.h"
 #include "ui/format.h"
+#include "ui/icons.h"
 
 namespace trocar::ui {
 namespace {
@@ -40,6 +41,26 @@ const LaneRow& row_of(Lane lane) {
 }
 
 constexpr Rgba kInk{16, 18, 21, 255};  // On the light colours of segments and authorities.
+
+/// Light on a dark lane, dark on a light one: each has a contrast of 3:1 and more, and its glyph besides.
+Rgba note_colour(const Theme& theme, demonstration::NoteColour colour) {
+  using demonstration::NoteColour;
+  constexpr std::array<std::pair<Rgba, Rgba>, 6> kDarkAndLight{{{{240, 128, 120, 255}, {178, 36, 30, 255}},
+                                                                {{240, 160, 80, 255}, {166, 84, 0, 255}},
+                                                                {{232, 208, 92, 255}, {128, 104, 0, 255}},
+                                                                {{124, 204, 128, 255}, {28, 118, 48, 255}},
+                                                                {{118, 178, 246, 255}, {24, 92, 186, 255}},
+                                                                {{198, 152, 240, 255}, {118, 58, 176, 255}}}};
+  if (colour == NoteColour::kPlain) return theme.warning;
+  const auto& [dark, light] = kDarkAndLight[static_cast<std::size_t>(colour) - 1];
+  return theme.dark ? dark : light;
+}
+
+const char* note_sign(demonstration::NoteGlyph glyph) {
+  constexpr std::array<const char*, 6> kSigns{"",           icon::kStar, icon::kVerify,
+                                              icon::kCross, icon::kHelp, icon::kWarning};
+  return kSigns[static_cast<std::size_t>(glyph)];
+}
 
 class Lanes {
  public:
@@ -155,14 +176,20 @@ void Lanes::note(const demonstration::Note& note, std::string_view label) {
   const float x0 = layout_.x_of(note.begin_s);
   const float x1 = layout_.x_of(note.end_s);
   if (x1 < layout_.lanes.x0 || x0 > layout_.lanes.x1) return;
-  const Rgba colour = ui_.theme().warning;
+  const Rgba colour = note_colour(ui_.theme(), note.colour);
   const float y = std::round(y_ + 0.5F * height_);
-  const float half = ui_.px(5);
+  const float half = ui_.px(note.glyph == demonstration::NoteGlyph::kFlag ? 5 : 7);
   if (x1 > x0) {
     list().AddRectFilled({std::max(x0, layout_.lanes.x0), y - ui_.px(2)},
                          {std::min(x1, layout_.lanes.x1), y + ui_.px(2)}, to_u32(colour, 0.5F));
   }
-  list().AddQuadFilled({x0 - half, y}, {x0, y - half}, {x0 + half, y}, {x0, y + half}, to_u32(colour));
+  if (note.glyph == demonstration::NoteGlyph::kFlag) {
+    list().AddQuadFilled({x0 - half, y}, {x0, y - half}, {x0 + half, y}, {x0, y + half}, to_u32(colour));
+  } else {
+    const char* sign = note_sign(note.glyph);
+    const ImVec2 size = ImGui::CalcTextSize(sign);
+    list().AddText({std::round(x0 - 0.5F * size.x), std::round(y - 0.5F * size.y)}, to_u32(colour), sign);
+  }
   const Rect rect{x0 - half, y_ + 1.0F, std::max(x1, x0 + half), y_ + height_};
   note_rect(ui_, "mark", label, note.text, rect);
   const ImVec2 mouse = ImGui::GetIO().MousePos;

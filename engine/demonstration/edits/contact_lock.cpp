@@ -11,6 +11,17 @@ namespace {
 constexpr double kHeld_s = 0.05;
 constexpr double kEased_s = 0.25;
 
+/// A gripper that moves faster opens or closes.
+constexpr double kJawMoves_rad_s = 0.2;
+
+bool jaw_moves(const Sample& a, const Sample& b) {
+  const double dt_s = b.t_s() - a.t_s();
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    if (std::abs(b.arms[arm].setpoint_jaw_rad - a.arms[arm].setpoint_jaw_rad) > kJawMoves_rad_s * dt_s) return true;
+  }
+  return false;
+}
+
 double eased(double distance_s, double held_s) {
   const double x = std::clamp((distance_s - held_s) / kEased_s, 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);
@@ -34,12 +45,13 @@ void spread(const std::vector<Sample>& samples, const std::vector<bool>& event, 
 
 }  // namespace
 
-ContactLock::ContactLock(const std::vector<Sample>& samples, bool contacts) : freedom_(samples.size(), 1.0) {
+ContactLock::ContactLock(const std::vector<Sample>& samples, What what) : freedom_(samples.size(), 1.0) {
   if (samples.empty()) return;
   std::vector<bool> event(samples.size(), false);
   constexpr std::uint32_t kContacts = kLeftHolds | kRightHolds;
-  for (std::size_t i = 1; contacts && i < samples.size(); ++i) {
-    event[i] = ((samples[i].flags ^ samples[i - 1].flags) & kContacts) != 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    event[i] = (what.contacts && ((samples[i].flags ^ samples[i - 1].flags) & kContacts) != 0) ||
+               (what.jaws && jaw_moves(samples[i - 1], samples[i]));
   }
   std::vector<double> nearest_s(samples.size(), std::numeric_limits<double>::infinity());
   spread(samples, event, nearest_s, [](std::size_t step) { return step; });
@@ -47,7 +59,7 @@ ContactLock::ContactLock(const std::vector<Sample>& samples, bool contacts) : fr
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double from_end_s =
         std::min(samples[i].t_s() - samples.front().t_s(), samples.back().t_s() - samples[i].t_s());
-    freedom_[i] = std::min(eased(from_end_s, 0.0), eased(nearest_s[i], kHeld_s));
+    freedom_[i] = std::min(what.ends ? eased(from_end_s, 0.0) : 1.0, eased(nearest_s[i], kHeld_s));
   }
 }
 

@@ -1,4 +1,5 @@
-/// Where an edit must leave a motion as it is: at its ends and where a grasp begins or ends. Private to the module.
+/// Where an edit must leave a motion as it is: at its ends, where a grasp begins or ends, where a gripper moves.
+/// Private to the module.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,14 @@ namespace trocar::demonstration {
 
 class ContactLock {
  public:
-  /// `contacts` false: only the ends are held. Samples by increasing tick.
-  explicit ContactLock(const std::vector<Sample>& samples, bool contacts = true);
+  struct What {
+    bool contacts = true;
+    bool ends = true;
+    bool jaws = false;
+  };
+  /// Samples by increasing tick.
+  explicit ContactLock(const std::vector<Sample>& samples) : ContactLock(samples, What{}) {}
+  ContactLock(const std::vector<Sample>& samples, What what);
   /// 0 where nothing may move, 1 where all may, smooth in between. Precondition: `i` is the index of a sample.
   double freedom(std::size_t i) const { return freedom_[i]; }
 

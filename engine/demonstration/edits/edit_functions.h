@@ -27,11 +27,15 @@ Result<Demonstration> made_by(const Demonstration& document, const Resample& edi
 Result<Demonstration> made_by(const Demonstration& document, const Retime& edit);
 Result<Demonstration> made_by(const Demonstration& document, const SnapToGrid& edit);
 Result<Demonstration> made_by(const Demonstration& document, const SetJaw& edit);
+Result<Demonstration> made_by(const Demonstration& document, const JawEvents& edit);
 Result<Demonstration> made_by(const Demonstration& document, const Mirror& edit);
 Result<Demonstration> made_by(const Demonstration& document, const Retarget& edit);
 Result<Demonstration> made_by(const Demonstration& document, const Perturb& edit);
 Result<Demonstration> made_by(const Demonstration& document, const Revert& edit);
 Result<Demonstration> made_by(const Demonstration& document, const AddNote& edit, std::int64_t entry);
 Result<Demonstration> made_by(const Demonstration& document, const RemoveNote& edit);
+
+/// What is labelled in the span as it was recorded; labels outside stay.
+Demonstration with_recorded_labels(const Demonstration& document, double from_s, double to_s);
 
 }  // namespace trocar::demonstration

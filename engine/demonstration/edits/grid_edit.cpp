@@ -119,7 +119,12 @@ Result<Demonstration> made_by(const Demonstration& document, const SnapToGrid& e
   TROCAR_ASSIGN_OR_RETURN(Stretch stretch, stretch_of(document, edit.from_s, edit.to_s, 2));
   const std::vector<Sample> before = stretch.samples;
   for (const std::size_t arm : indices_of(edit.arms)) {
-    TROCAR_RETURN_IF_ERROR(snap_arm(document, edit, before, arm, stretch.samples).map([](const SnapFigures&) {}));
+    const Status snapped = snap_arm(document, edit, before, arm, stretch.samples).map([](const SnapFigures&) {});
+    if (!snapped && edit.arms == Arms::kBoth) {
+      return fail(snapped.error().code(), fmt::format("the {} arm cannot be snapped, so snap the other one alone: {}",
+                                                      arm == 0 ? "left" : "right", snapped.error().text()));
+    }
+    TROCAR_RETURN_IF_ERROR(snapped);
   }
   return with_stretch(document, std::move(stretch));
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -108,6 +109,23 @@ Result<Demonstration> made_by(const Demonstration& document, const ProposeLabels
     if (end_s > begin_s) edited.segments.push_back({static_cast<Segment>(i), begin_s, end_s});
     begin_s = end_s;
   }
+  return edited;
+}
+
+Demonstration with_recorded_labels(const Demonstration& document, double from_s, double to_s) {
+  std::vector<SegmentSpan> spans;
+  const auto add = [&](const SegmentSpan& span, double low_s, double high_s) {
+    const SegmentSpan part{span.label, std::max(span.begin_s, low_s), std::min(span.end_s, high_s)};
+    if (part.begin_s < part.end_s) spans.push_back(part);
+  };
+  constexpr double kFar_s = std::numeric_limits<double>::infinity();
+  for (const SegmentSpan& span : document.segments) {
+    add(span, -kFar_s, from_s);
+    add(span, to_s, kFar_s);
+  }
+  for (const SegmentSpan& span : original_of(document).segments) add(span, from_s, to_s);
+  Demonstration edited = document;
+  edited.segments = merged(std::move(spans));
   return edited;
 }
 

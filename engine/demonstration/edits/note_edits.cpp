@@ -17,7 +17,7 @@ Result<Demonstration> made_by(const Demonstration& document, const AddNote& edit
   }
   if (edit.rating < 0 || edit.rating > 5) return fail(ErrorCode::kInvalidArgument, "a rating goes from 0 to 5");
   Demonstration edited = document;
-  const Note note{entry, edit.from_s, edit.to_s, edit.text, edit.tag, edit.rating};
+  const Note note{entry, edit.from_s, edit.to_s, edit.text, edit.tag, edit.rating, edit.colour, edit.glyph};
   const auto place = std::upper_bound(edited.notes.begin(), edited.notes.end(), note,
                                       [](const Note& a, const Note& b) { return a.begin_s < b.begin_s; });
   edited.notes.insert(place, note);

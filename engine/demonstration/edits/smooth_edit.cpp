@@ -97,7 +97,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Smooth& edit)
   TROCAR_ASSIGN_OR_RETURN(Stretch stretch, stretch_of(document, edit.from_s, edit.to_s, 3));
   const double covered_s = stretch.samples.back().t_s() - stretch.samples.front().t_s();
   const double step_s = covered_s / static_cast<double>(stretch.samples.size() - 1);
-  const ContactLock lock(stretch.samples, edit.lock_contacts);
+  const ContactLock lock(stretch.samples, {edit.lock_contacts, edit.lock_ends, edit.lock_jaws});
   for (const std::size_t arm : indices_of(edit.arms)) {
     Path path;
     for (const Sample& sample : stretch.samples) path.push_back(measured_tip(sample, arm));

@@ -20,9 +20,9 @@ bool known(int place) {
 }
 
 /// `before` is the sample that the clip is to go on from; null at the very beginning.
-Result<Shifts> shifts_of(const Demonstration& document, const Clip& clip, Align align, const Sample* before) {
+Result<Shifts> shifts_of(const Demonstration& document, const Clip& clip, const Splice& edit, const Sample* before) {
   Shifts by{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  switch (align) {
+  switch (edit.align) {
     case Align::kAsRecorded:
       return by;
     case Align::kMeet:
@@ -31,12 +31,17 @@ Result<Shifts> shifts_of(const Demonstration& document, const Clip& clip, Align 
         by[arm] = measured_tip(*before, arm) - measured_tip(clip.samples.front(), arm);
       }
       return by;
-    case Align::kPeg:
-      if (!known(document.block) || !known(clip.block)) {
+    case Align::kPeg: {
+      if (edit.peg < -1 || edit.peg >= peg_board::kBlockCount) {
+        return fail(ErrorCode::kInvalidArgument, "start pegs are numbered 0 to 5; -1 is this demonstration's");
+      }
+      const int peg = edit.peg >= 0 ? edit.peg : document.block;
+      if (!known(peg) || !known(clip.block)) {
         return fail(ErrorCode::kInvalidArgument, "it is not known which block was carried, so no peg can be met");
       }
-      by.fill(peg_board::start_peg(document.block) - peg_board::start_peg(clip.block));
+      by.fill(peg_board::start_peg(peg) - peg_board::start_peg(clip.block));
       return by;
+    }
   }
   return by;
 }
@@ -85,7 +90,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Splice& edit)
   const Clip& clip = *edit.clip;
   const SampleTrack& track = document.samples;
   const Sample before = track[place.first == 0 ? 0 : place.first - 1];
-  TROCAR_ASSIGN_OR_RETURN(const Shifts by, shifts_of(document, clip, edit.align, place.first == 0 ? nullptr : &before));
+  TROCAR_ASSIGN_OR_RETURN(const Shifts by, shifts_of(document, clip, edit, place.first == 0 ? nullptr : &before));
   const std::int64_t last = place.tick + clip.samples.tick(clip.samples.size() - 1);
   const std::size_t after = place.first + place.count;
   const std::int64_t shift = after < track.size() ? last + kTicksPerSample - track.tick(after) : 0;

@@ -66,7 +66,8 @@ Demonstration with_stretch(const Demonstration& document, Stretch stretch) {
 }
 
 Result<Demonstration> with_other_length(const Demonstration& document, std::size_t first, std::size_t count,
-                                        const SampleTrack& samples, std::int64_t shift) {
+                                        const SampleTrack& samples, std::int64_t shift,
+                                        const std::function<double(double)>& inside) {
   Demonstration edited = document;
   const SampleTrack& track = document.samples;
   edited.samples =
@@ -79,7 +80,9 @@ Result<Demonstration> with_other_length(const Demonstration& document, std::size
   const double stretched = end_s > begin_s ? std::max(0.0, (end_s + shift_s - begin_s) / (end_s - begin_s)) : 0.0;
   move_times(edited, [&](double t_s) {
     if (t_s <= begin_s) return t_s;
-    return t_s >= end_s ? t_s + shift_s : begin_s + stretched * (t_s - begin_s);
+    if (t_s >= end_s) return t_s + shift_s;
+    if (!inside) return begin_s + stretched * (t_s - begin_s);
+    return begin_s + inside(t_s - begin_s);
   });
   edited.end_s = std::min(edited.end_s, edited.full_duration_s());
   if (edited.gated().size() >= 2) return edited;

@@ -29,10 +29,11 @@ Result<Stretch> stretch_of(const Demonstration& document, double from_s, double 
 Demonstration with_stretch(const Demonstration& document, Stretch stretch);
 
 /// The document with `samples` in place of `count` from `first`, and everything after them `shift` ticks later. Labels,
-/// gates and notes follow: a time inside the old span keeps its share of it.
-/// Errors: kInvalidArgument if fewer than 2 samples stay between the gates.
+/// gates and notes follow: a time inside the old span keeps its share of it, or is moved by `inside`, in seconds since
+/// its begin. Errors: kInvalidArgument if fewer than 2 samples stay between the gates.
 Result<Demonstration> with_other_length(const Demonstration& document, std::size_t first, std::size_t count,
-                                        const SampleTrack& samples, std::int64_t shift);
+                                        const SampleTrack& samples, std::int64_t shift,
+                                        const std::function<double(double)>& inside = {});
 
 /// Times of labels, gates and notes go through `moved`, which never decreases; labels without a length go.
 void move_times(Demonstration& document, const std::function<double(double)>& moved);

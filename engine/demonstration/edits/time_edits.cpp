@@ -2,76 +2,81 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "engine/demonstration/edits/edit_functions.h"
 #include "engine/demonstration/edits/stretch.h"
-#include "engine/demonstration/motion.h"
+#include "engine/demonstration/edits/time_course.h"
 
 namespace trocar::demonstration {
 namespace {
 
-/// An hour; more is a slip of the keyboard.
-constexpr double kLongest_s = 3600.0;
 /// Over half a day at 200 Hz.
 constexpr double kMostSamples = 1e7;
 
-/// How far the faster tool goes from one sample to the next.
-double step_m(const Sample& a, const Sample& b) {
-  return std::max((measured_tip(b, 0) - measured_tip(a, 0)).norm(), (measured_tip(b, 1) - measured_tip(a, 1)).norm());
+/// The value at `share` of the way from b to c of the cubic with the mean slopes of the neighbours there; times are
+/// ticks.
+Eigen::Vector3d cubic(const std::array<Eigen::Vector3d, 4>& p, const std::array<double, 4>& at, double share) {
+  const double width = at[2] - at[1];
+  const auto slope = [&](std::size_t low, std::size_t high) -> Eigen::Vector3d {
+    return width / std::max(at[high] - at[low], 1.0) * (p[high] - p[low]);
+  };
+  const Eigen::Vector3d from = at[1] > at[0] ? slope(0, 2) : slope(1, 2);
+  const Eigen::Vector3d to = at[3] > at[2] ? slope(1, 3) : slope(1, 2);
+  const double t = share;
+  const double rise = t * t * (3.0 - 2.0 * t);
+  return (1.0 - rise) * p[1] + rise * p[2] + t * (1.0 - t) * ((1.0 - t) * from - t * to);
 }
 
-/// The new durations between neighbours, in ticks and not whole.
-Result<std::vector<double>> new_steps(const std::vector<Sample>& samples, const Retime& edit) {
-  std::vector<double> steps;
-  double old_total = 0.0;
-  double path_m = 0.0;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    steps.push_back(static_cast<double>(samples[i].tick - samples[i - 1].tick));
-    old_total += steps.back();
-    path_m += step_m(samples[i - 1], samples[i]);
-  }
-  const double per_tick_m = edit.speed_m_s / static_cast<double>(Tick::kPerSecond);
-  double factor = 1.0;
-  switch (edit.mode) {
-    case RetimeTo::kScale:
-      TROCAR_RETURN_IF_ERROR(check_positive(edit.scale, "the scale"));
-      factor = edit.scale;
-      break;
-    case RetimeTo::kDuration:
-      TROCAR_RETURN_IF_ERROR(check_positive(edit.duration_s, "the duration"));
-      factor = edit.duration_s * static_cast<double>(Tick::kPerSecond) / old_total;
-      break;
-    case RetimeTo::kSpeedCap:
-      TROCAR_RETURN_IF_ERROR(check_positive(edit.speed_m_s, "the speed"));
-      for (std::size_t i = 0; i < steps.size(); ++i) {
-        steps[i] = std::max(steps[i], step_m(samples[i], samples[i + 1]) / per_tick_m);
-      }
-      break;
-    case RetimeTo::kConstantSpeed:
-      TROCAR_RETURN_IF_ERROR(check_positive(edit.speed_m_s, "the speed"));
-      if (path_m <= 0.0) return fail(ErrorCode::kInvalidArgument, "no tool moves in that span");
-      for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = step_m(samples[i], samples[i + 1]) / per_tick_m;
-      break;
-  }
-  for (double& step : steps) step *= factor;
-  return steps;
+Eigen::Vector3d point_of(const CompactPose& pose) {
+  return {static_cast<double>(pose.p[0]), static_cast<double>(pose.p[1]), static_cast<double>(pose.p[2])};
 }
 
-/// The samples again, on an even grid of ticks, where sample i of `samples` comes at `ticks[i]` from the first.
-std::vector<Sample> on_grid(const std::vector<Sample>& samples, const std::vector<double>& ticks, std::int64_t step) {
+void put_at(CompactPose& pose, const Eigen::Vector3d& p) {
+  for (std::size_t axis = 0; axis < 3; ++axis) pose.p[axis] = static_cast<float>(p[static_cast<Eigen::Index>(axis)]);
+}
+
+/// Puts the positions of `sample`, which lies at `share` of the way from `before` to the next, onto cubics.
+void bend(Sample& sample, const std::vector<Sample>& samples, std::size_t before, double share) {
+  const std::size_t last = samples.size() - 1;
+  const std::array<std::size_t, 4> near{before == 0 ? 0 : before - 1, before, std::min(before + 1, last),
+                                        std::min(before + 2, last)};
+  std::array<double, 4> at{};
+  for (std::size_t i = 0; i < near.size(); ++i) at[i] = static_cast<double>(samples[near[i]].tick);
+  const auto through = [&](const auto& where) {
+    std::array<Eigen::Vector3d, 4> points;
+    for (std::size_t i = 0; i < near.size(); ++i) points[i] = where(samples[near[i]]);
+    return cubic(points, at, share);
+  };
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    ArmSample& moved = sample.arms[arm];
+    put_at(moved.measured, through([&](const Sample& each) { return point_of(each.arms[arm].measured); }));
+    const Eigen::Vector3d setpoint = through([&](const Sample& each) { return each.arms[arm].setpoint().p; });
+    moved.set_setpoint({setpoint, moved.setpoint().q}, moved.setpoint_jaw_rad);
+  }
+  for (std::size_t block = 0; block < sample.blocks.size(); ++block) {
+    put_at(sample.blocks[block], through([&](const Sample& each) { return point_of(each.blocks[block]); }));
+  }
+}
+
+/// Every `step` ticks up to the last of `samples`.
+std::vector<Sample> resampled(const std::vector<Sample>& samples, std::int64_t step, ResampleBy method) {
   std::vector<Sample> result;
   TrackReader reader(samples);
-  std::size_t piece = 0;
-  for (std::int64_t tick = 0; static_cast<double>(tick) <= ticks.back(); tick += step) {
-    const auto wanted = static_cast<double>(tick);
-    while (piece + 2 < ticks.size() && ticks[piece + 1] <= wanted) ++piece;
-    const double length = ticks[piece + 1] - ticks[piece];
-    const double share = length > 0.0 ? std::clamp((wanted - ticks[piece]) / length, 0.0, 1.0) : 0.0;
-    const auto from = static_cast<double>(samples[piece].tick);
-    Sample sample = reader.at(from + share * static_cast<double>(samples[piece + 1].tick - samples[piece].tick));
-    sample.tick = samples.front().tick + tick;
+  std::size_t before = 0;
+  for (std::int64_t tick = samples.front().tick; tick <= samples.back().tick; tick += step) {
+    while (before + 2 < samples.size() && samples[before + 1].tick <= tick) ++before;
+    const Sample& low = samples[before];
+    const Sample& high = samples[std::min(before + 1, samples.size() - 1)];
+    const double share =
+        high.tick > low.tick
+            ? std::clamp(static_cast<double>(tick - low.tick) / static_cast<double>(high.tick - low.tick), 0.0, 1.0)
+            : 0.0;
+    Sample sample = method == ResampleBy::kNearest ? (share < 0.5 ? low : high) : reader.at(static_cast<double>(tick));
+    if (method == ResampleBy::kCubic && share > 0.0 && share < 1.0) bend(sample, samples, before, share);
+    sample.tick = tick;
     result.push_back(sample);
   }
   return result;
@@ -91,12 +96,8 @@ Result<Demonstration> made_by(const Demonstration& document, const Resample& edi
   if (document.full_duration_s() * edit.rate_hz > kMostSamples) {
     return fail(ErrorCode::kInvalidArgument, "that would make more than ten million samples");
   }
-  const std::vector<Sample> samples = document.samples.to_vector();
-  std::vector<double> ticks;
-  ticks.reserve(samples.size());
-  for (const Sample& sample : samples) ticks.push_back(static_cast<double>(sample.tick - samples.front().tick));
   Demonstration edited = document;
-  edited.samples = SampleTrack(on_grid(samples, ticks, std::llround(step)));
+  edited.samples = SampleTrack(resampled(document.samples.to_vector(), std::llround(step), edit.method));
   edited.end_s = std::min(edited.end_s, edited.full_duration_s());
   if (edited.samples.size() >= 2 && edited.gated().size() >= 2) return edited;
   return fail(ErrorCode::kInvalidArgument, "fewer than 2 samples would stay");
@@ -105,21 +106,25 @@ Result<Demonstration> made_by(const Demonstration& document, const Resample& edi
 Result<Demonstration> made_by(const Demonstration& document, const Retime& edit) {
   TROCAR_ASSIGN_OR_RETURN(Stretch stretch, stretch_of(document, edit.from_s, edit.to_s, 2));
   const std::vector<Sample>& samples = stretch.samples;
-  TROCAR_ASSIGN_OR_RETURN(const std::vector<double> steps, new_steps(samples, edit));
-  std::vector<double> ticks{0.0};
-  for (const double step : steps) ticks.push_back(ticks.back() + step);
-  if (ticks.back() > kLongest_s * static_cast<double>(Tick::kPerSecond)) {
-    return fail(ErrorCode::kInvalidArgument, "the span would last for more than an hour");
-  }
-  if (!(ticks.back() >= 1.0)) return fail(ErrorCode::kInvalidArgument, "the span would have no duration");
+  TROCAR_ASSIGN_OR_RETURN(TimeCourse wanted, time_course(samples, edit, document.first_tick()));
   // The grid of the samples goes on behind the span, so that its length is a whole number of steps.
   constexpr std::int64_t kStep = kTicksPerSample;
-  const auto length = std::max<std::int64_t>(std::llround(ticks.back() / static_cast<double>(kStep)), 1) * kStep;
-  const double fit = static_cast<double>(length) / ticks.back();
-  for (double& tick : ticks) tick *= fit;
-  ticks.back() = static_cast<double>(length);
+  const auto length = std::max<std::int64_t>(std::llround(wanted.length / static_cast<double>(kStep)), 1) * kStep;
+  const TimeCourse course = fitted(std::move(wanted), static_cast<double>(length));
+  std::vector<Sample> retimed;
+  TrackReader reader(samples);
+  for (std::int64_t tick = 0; tick <= length; tick += kStep) {
+    retimed.push_back(reader.at(course.old_at(static_cast<double>(tick))));
+    retimed.back().tick = samples.front().tick + tick;
+  }
   const std::int64_t shift = length - (samples.back().tick - samples.front().tick);
-  return with_other_length(document, stretch.first, samples.size(), SampleTrack(on_grid(samples, ticks, kStep)), shift);
+  const double old_s = Tick{samples.back().tick - samples.front().tick}.seconds();
+  const double new_s = Tick{length}.seconds();
+  const auto moved_s = [&](double t_s) {
+    return t_s < old_s ? course.share_at(t_s / old_s) * new_s : t_s + new_s - old_s;
+  };
+  return with_other_length(document, stretch.first, samples.size(), SampleTrack(std::move(retimed)), shift,
+                           course.even ? std::function<double(double)>() : moved_s);
 }
 
 }  // namespace trocar::demonstration

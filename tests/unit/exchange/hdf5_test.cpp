@@ -139,7 +139,12 @@ TEST_CASE("several demonstrations go into one file and come back in their order,
   Documents documents;
   for (int i = 0; i < 12; ++i) {
     Demonstration document = *document_of(moving_recording(10 + i), fmt::format("Number {}", i));
-    document = demonstration::apply(document, demonstration::AddNote{"look", 0.01, 0.02, "seen", 4}, 7).value();
+    document =
+        demonstration::apply(document,
+                             demonstration::AddNote{"look", 0.01, 0.02, "seen", 4, demonstration::NoteColour::kGreen,
+                                                    demonstration::NoteGlyph::kStar},
+                             7)
+            .value();
     if (i == 3) document = demonstration::apply(document, demonstration::AddNote{"hard", 0, 0, "mask", 0}, 8).value();
     documents.push_back(shared(document));
   }
@@ -157,6 +162,8 @@ TEST_CASE("several demonstrations go into one file and come back in their order,
                                    [](const demonstration::AddNote& note) { return note.tag == "seen"; });
     REQUIRE(seen != read[i].notes.end());
     CHECK(seen->rating == 4);
+    CHECK(seen->colour == demonstration::NoteColour::kGreen);
+    CHECK(seen->glyph == demonstration::NoteGlyph::kStar);
     CHECK(seen->to_s == 0.02);
   }
   CHECK(read[11].notes.size() == 2);

@@ -119,8 +119,8 @@ TEST_CASE("each kind of edit has a form in the window and a word on the command 
     CHECK(demonstration::name_of(in_window) == name);
     const Edit on_line = typed_on_the_command_line(*commit, desk.state);
     const Demonstration& before = *desk.state.project->demonstrations.at({1});
-    // Proposing labels needs distances that these samples do not have.
-    if (name == "propose-labels") continue;
+    // Proposing labels needs distances, and gripper events need grippers, that these samples do not have.
+    if (name == "propose-labels" || name == "jaw-events") continue;
     CHECK(hash_after(in_window, before) == hash_after(on_line, before));
   }
 }

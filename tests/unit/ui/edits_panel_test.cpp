@@ -5,6 +5,7 @@
 #include "engine/workbench/edit_preview.h"
 #include "tests/support/ui_desk.h"
 #include "tests/support/ui_state.h"
+#include "ui/command_text.h"
 #include "ui/icons.h"
 
 namespace trocar::ui {
@@ -107,6 +108,89 @@ TEST_CASE("the form of a snap tells its actions, its error and the cells that it
   for (const char* fact : {"Actions, left", "Error, left", "Cells, left"}) {
     CHECK(text_of(desk.driver().expect_present(std::string("Edits/Draft/") + fact, true)) == "");
   }
+}
+
+TEST_CASE("a time warp is drawn by its knots: dragged, added, shifted from the keyboard, or typed") {
+  EditDesk desk("Retime");
+  CHECK(text_of(desk.driver().type("Edits/Draft/From", "2")) == "");
+  CHECK(text_of(desk.driver().type("Edits/Draft/To", "4")) == "");
+  CHECK(text_of(desk.driver().click("Edits/Draft/Mode")) == "");
+  CHECK(text_of(desk.driver().click("Edits/Draft/Mode/warp")) == "");
+  CHECK(desk.driver().frames(3));
+  const auto knots = [&] { return std::get<demonstration::Retime>(desk.last<workbench::PreviewEdit>()->edit).knots_s; };
+  CHECK(text_of(desk.driver().expect_present("Edits/Draft/Scale", false)) == "");
+  REQUIRE(knots().size() == 2);
+  CHECK(knots()[0] == Eigen::Vector2d(3.0, 3.0));
+  CHECK(knots()[1] == Eigen::Vector2d(4.0, 4.0));
+  CHECK(text_of(desk.driver().drag("Edits/Draft/Curve/Knot 1", 0.0F, -20.0F)) == "");
+  CHECK(desk.driver().frames(2));
+  CHECK(knots()[0].x() == doctest::Approx(3.0).epsilon(0.02));
+  CHECK(knots()[0].y() > 3.2);
+  const double before_s = knots()[0].y();
+  CHECK(text_of(desk.driver().click("Edits/Draft/Curve/Add knot")) == "");
+  CHECK(desk.driver().frames(2));
+  REQUIRE(knots().size() == 3);
+  CHECK(knots()[1].y() == before_s);
+  CHECK(text_of(desk.driver().click("Edits/Draft/Curve/Remove knot")) == "");
+  CHECK(desk.driver().frames(2));
+  CHECK(knots().size() == 2);
+  for (int i = 0; i < 300 && desk.session->ui().focus().path() != "Edits/Draft/Curve/Time warp"; ++i) {
+    CHECK(text_of(desk.driver().key("Tab")) == "");
+  }
+  REQUIRE(desk.session->ui().focus().path() == "Edits/Draft/Curve/Time warp");
+  CHECK(text_of(desk.driver().key("Down")) == "");
+  CHECK(desk.driver().frames(2));
+  CHECK(knots()[0].y() == doctest::Approx(before_s - 0.04));
+  CHECK(text_of(desk.driver().type("Edits/Draft/Knots", "2.5:3.1,4:5")) == "");
+  CHECK(desk.driver().frames(2));
+  REQUIRE(knots().size() == 2);
+  CHECK(knots()[1] == Eigen::Vector2d(4.0, 5.0));
+  CHECK(text_of(desk.driver().expect_value("Edits/Draft/Curve/Knot 1", "2.50 → 3.10 s")) == "");
+}
+
+TEST_CASE("what is idle is listed with a check box each, and one that is cleared stays") {
+  EditDesk desk("Trim idle");
+  auto preview = std::make_shared<workbench::EditPreview>();
+  preview->before = desk.state.project->demonstrations.at({1});
+  preview->after = preview->before;
+  preview->idle = {{0.0, 1.0, 0.0, 0.9, true, false}, {4.0, 5.0, 4.1, 4.9, false, false}};
+  desk.state.preview = preview;
+  CHECK(desk.driver().frames(2));
+  CHECK(text_of(desk.driver().click("Edits/Draft/Idle/4.00–5.00 s, inside")) == "");
+  CHECK(desk.driver().frames(2));
+  const auto stay = [&] { return std::get<demonstration::TrimIdle>(desk.last<workbench::PreviewEdit>()->edit).stay_s; };
+  CHECK(stay() == std::vector<double>{4.5});
+  auto kept = std::make_shared<workbench::EditPreview>(*preview);
+  kept->idle[1].stays = true;
+  desk.state.preview = kept;
+  CHECK(desk.driver().frames(2));
+  CHECK(text_of(desk.driver().expect_value("Edits/Draft/Idle/4.00–5.00 s, inside", "off")) == "");
+  CHECK(text_of(desk.driver().click("Edits/Draft/Idle/4.00–5.00 s, inside")) == "");
+  CHECK(desk.driver().frames(2));
+  CHECK(stay().empty());
+}
+
+TEST_CASE("perturbed copies are previewed, and made as one step beside the demonstration") {
+  Desk desk(testing::made_state());
+  CHECK(text_of(desk.driver().click("Menu/Modify")) == "");
+  CHECK(text_of(desk.driver().click("Modify/Perturbed copies…")) == "");
+  CHECK(desk.driver().frames(3));
+  REQUIRE(desk.last<workbench::PreviewEdit>() != nullptr);
+  CHECK(text_of(desk.driver().type("Edits/Draft/Sigma", "0.5")) == "");
+  CHECK(text_of(desk.driver().type("Edits/Draft/Copies", "8")) == "");
+  CHECK(text_of(desk.driver().click("Edits/Draft/Make copies")) == "");
+  const auto* commit = desk.last<workbench::CommitEdit>();
+  REQUIRE(commit != nullptr);
+  const auto& copies = std::get<workbench::CopyDemonstrations>(commit->edit).copies;
+  REQUIRE(copies.size() == 8);
+  for (std::size_t nth = 0; nth < copies.size(); ++nth) {
+    REQUIRE(copies[nth].edits.size() == 1);
+    const auto& noise = std::get<demonstration::Perturb>(copies[nth].edits.front());
+    CHECK(noise.sigma_m == doctest::Approx(0.0005));
+    CHECK(noise.seed == 1 + nth);
+  }
+  const std::string typed = command_text(*commit, desk.state);
+  CHECK(typed.ends_with("pegs.trocar 1 --copies 8 --perturb-mm 0.5 --period 1 --seed 1"));
 }
 
 TEST_CASE("an edit of the stack is switched off, moved and removed") {

@@ -50,6 +50,13 @@ TEST_CASE("without a choice every command has the table's keys") {
   CHECK(keymap.shown("no.command").empty());
 }
 
+TEST_CASE("a key can be called by what it writes with Shift") {
+  CHECK(chord("?") == chord("Shift+/"));
+  CHECK(chord("Ctrl+?") == chord("Ctrl+Shift+/"));
+  CHECK(chord(":") == chord("Shift+;"));
+  CHECK_FALSE(chord_from("¿"));
+}
+
 TEST_CASE("a preset names commands that exist, by chords that can be read, and no chord twice in a context") {
   for (const KeyPreset preset : kKeyPresets) {
     CAPTURE(name_of(preset));

@@ -290,6 +290,29 @@ TEST_CASE("a filter chooses by numbers, words, marks and their combinations") {
   CHECK(three.found("replay:unknown samples=400") == "1 2");
 }
 
+TEST_CASE("= asks for a text that is just that, : and ~ for one that has it somewhere") {
+  ThreeOf three;
+  MarkChange slow;
+  slow.add = {"slow-start"};
+  slow.flag = Flag::kBad;
+  three.mark(three.b, slow);
+  CHECK(three.found("name=expert") == "");
+  CHECK(three.found("name=\"expert 2\"") == "2");
+  CHECK(three.found("name!=\"expert 2\"") == "1 3");
+  CHECK(three.found("name:expert") == "1 2");
+  CHECK(three.found("name~expert") == "1 2");
+  CHECK(three.found("name!~expert") == "3");
+  CHECK(three.found("tag=slow") == "");
+  CHECK(three.found("tag~slow") == "2");
+  CHECK(three.found("flag~ba") == "2");
+  CHECK(three.found("flag:ba") == "");
+  CHECK(three.found("segment=ABCDE") == "1 2 3");
+  CHECK(three.found("segment=AC") == "");
+  CHECK(three.found("samples:400") == "1 2");
+  CHECK(complaint("length~4") ==
+        "length is a number, so that ~ says nothing of it; ask length=10 (character 7 of the filter)");
+}
+
 TEST_CASE("what is being measured leaves a row undecided, unless all else decides") {
   ThreeOf three;
   CHECK(three.found("idle>=0", false) == " and 3 undecided");
