@@ -4,7 +4,9 @@
 #include <map>
 
 #include "engine/core/random.h"
+#include "engine/demonstration/edit_fields.h"
 #include "tests/support/project_fixture.h"
+#include "tests/support/random_project_edits.h"
 
 using namespace trocar;
 using namespace trocar::workbench;
@@ -14,6 +16,7 @@ using demonstration::Segment;
 using demonstration::Trim;
 using testing::add_demonstration;
 using testing::created;
+using testing::moving_recording;
 using testing::opened;
 using testing::ScratchFolder;
 
@@ -24,49 +27,79 @@ demonstration::Splice splice(DemonstrationId source, std::int64_t as_of, double 
   return {source.value, from_s, from_s + 0.25, 0.1, 0.0, demonstration::Align::kMeet, as_of, nullptr};
 }
 
-/// Any edit of any demonstration, most of which apply.
-Edit random_edit(Random& random, const Project& project) {
-  if (project.demonstrations.empty()) return RemoveDemonstration{{1}};
-  auto chosen = project.demonstrations.begin();
-  std::advance(chosen, random.below(static_cast<std::uint32_t>(project.demonstrations.size())));
-  const double from_s = random.uniform(-0.1, 1.0);
-  const double to_s = from_s + random.uniform(0.0, 1.0);
-  switch (random.below(11)) {
-    case 0:
-    case 1:
-    case 2:
-      return EditDemonstration{chosen->first, Trim{from_s, to_s}};
-    case 3:
-      return RemoveDemonstration{chosen->first};
-    case 4:
-      return AddDemonstration{chosen->second->recording->id, "copy"};
-    case 5:
-      return EditDemonstration{chosen->first, Rename{"name " + std::to_string(random.below(1000))}};
-    case 6:
-      return CopyDemonstration{chosen->first, "copy", {demonstration::Perturb{0.001, 0.5, random.next()}}};
-    case 7:
-      return SplitDemonstration{chosen->first, from_s, "rest"};
-    case 8:
-      return EditDemonstration{chosen->first,
-                               splice(project.demonstrations.begin()->first, 0, random.uniform(0.0, 0.5))};
-    default:
-      return EditDemonstration{chosen->first, LabelSegment{static_cast<Segment>(random.below(5)), from_s, to_s}};
+/// The tools rest for 0.5 s at first; then the left one holds the block, both do, and the right one.
+demonstration::Recording resting_and_grasping(int count) {
+  demonstration::Recording recording = moving_recording(count);
+  for (int i = 0; i < count; ++i) {
+    demonstration::Sample& sample = recording.samples[static_cast<std::size_t>(i)];
+    if (i < 100) sample.arms = recording.samples[100].arms;
+    sample.blocks[0].p = {0.0F, 0.0F, i < 130 ? 0.0F : 0.01F};
+    if (i >= 120 && i < 170) sample.flags |= demonstration::kLeftHolds;
+    if (i >= 160) sample.flags |= demonstration::kRightHolds;
   }
+  return recording;
+}
+
+/// A project with two demonstrations, and recordings and a model that random edits may add.
+struct Walked {
+  ScratchFolder folder;
+  ProjectFile file = created(folder / "p.trocar");
+  testing::StoredThings stored;
+
+  Walked() {
+    add_demonstration(file, 200, "a");
+    add_demonstration(file, 150, "b");
+    stored.recordings.push_back(file.store_recording(moving_recording(120)).value());
+    stored.recordings.push_back(file.store_recording(resting_and_grasping(200)).value());
+    stored.model = file.store_model(testing::small_model()).value();
+  }
+
+  void reopen() {
+    { ProjectFile closing = std::move(file); }
+    file = opened(folder / "p.trocar");
+  }
+
+  /// Any point of the history, the empty project among them.
+  std::int64_t any_node(Random& random) const {
+    const auto& nodes = file.history();
+    const std::uint32_t place = random.below(static_cast<std::uint32_t>(nodes.size()) + 1);
+    return place == nodes.size() ? 0 : nodes[place].id;
+  }
+
+  Edit any_edit(Random& random) const {
+    return testing::random_project_edit(random, *file.project(), stored, any_node(random));
+  }
+};
+
+/// Every sample, bit for bit; what undo must bring back.
+std::string bytes_of(const Project& project) {
+  std::string bytes;
+  for (const auto& [id, document] : project.demonstrations) {
+    bytes += std::to_string(id.value) + document->name;
+    for (const demonstration::Sample& sample : document->samples) {
+      bytes.append(reinterpret_cast<const char*>(&sample), sizeof sample);
+    }
+  }
+  return bytes;
+}
+
+/// The name of an edit, and of what it does to a demonstration.
+std::string kind_of(const Edit& edit) {
+  const auto* of_one = std::get_if<EditDemonstration>(&edit);
+  return std::string(of_one != nullptr ? demonstration::name_of(of_one->edit) : name_of(edit));
 }
 
 }  // namespace
 
 TEST_CASE("any edits undone give the original hash, and redone the edited one") {
   CHECK(rc::check([] {
-    const ScratchFolder folder;
-    ProjectFile file = created(folder / "p.trocar");
-    add_demonstration(file, 200, "a");
-    add_demonstration(file, 150, "b");
+    Walked walked;
+    ProjectFile& file = walked.file;
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     std::vector<std::uint64_t> hashes{file.project()->hash()};
     const int count = *rc::gen::inRange(1, 40);
     for (int i = 0; i < count; ++i) {
-      if (file.commit(random_edit(random, *file.project()))) hashes.push_back(file.project()->hash());
+      if (file.commit(walked.any_edit(random))) hashes.push_back(file.project()->hash());
     }
     for (std::size_t i = hashes.size() - 1; i-- > 0;) {
       RC_ASSERT(file.undo().has_value());
@@ -80,20 +113,25 @@ TEST_CASE("any edits undone give the original hash, and redone the edited one") 
   }));
 }
 
-TEST_CASE("a node of the history has one document, however and after however many restarts it is reached") {
-  const ScratchFolder folder;
-  std::map<std::int64_t, std::uint64_t> hashes;
+TEST_CASE(
+    "10,000 steps over every kind of edit: a node has one document however it is reached, and undo ends at the "
+    "original") {
+  constexpr int kSteps = 10'000;
+  Walked walked;
+  ProjectFile& file = walked.file;
   Random random(7);
-  ProjectFile file = created(folder / "p.trocar");
-  hashes[0] = file.project()->hash();
-  add_demonstration(file, 200, "a");
-  add_demonstration(file, 150, "b");
-  hashes[2] = file.project()->hash();
+  std::map<std::int64_t, std::uint64_t> hashes;
+  std::map<std::string, int> kinds;
+  const std::string original = bytes_of(*file.project());
+  const std::int64_t begin = file.head();
+  hashes[begin] = file.project()->hash();
   REQUIRE(file.undo());
-  hashes[1] = file.project()->hash();
-  REQUIRE(file.redo());
-  for (int i = 0; i < 1200; ++i) {
-    switch (random.below(6)) {
+  hashes[file.head()] = file.project()->hash();
+  REQUIRE(file.undo());
+  hashes[0] = file.project()->hash();
+  REQUIRE(file.go_to(begin));
+  for (int i = 0; i < kSteps; ++i) {
+    switch (random.below(8)) {
       case 0:
         (void)file.undo();
         break;
@@ -101,24 +139,52 @@ TEST_CASE("a node of the history has one document, however and after however man
         (void)file.redo();
         break;
       case 2:
-        REQUIRE(file.go_to(random.below(static_cast<std::uint32_t>(file.history().size()) + 1)));
+        REQUIRE(file.go_to(walked.any_node(random)));
         break;
       case 3:
-        if (random.below(20) == 0) {
+        if (random.below(40) == 0) {
           const std::int64_t head = file.head();
           const bool redoable = file.redoable();
-          { ProjectFile closing = std::move(file); }
-          file = opened(folder / "p.trocar");
+          walked.reopen();
           REQUIRE(file.head() == head);
           REQUIRE(file.redoable() == redoable);
         }
         break;
-      default:
-        if (const auto id = file.commit(random_edit(random, *file.project()))) hashes[*id] = file.project()->hash();
+      default: {
+        const Edit edit = walked.any_edit(random);
+        if (const auto id = file.commit(edit)) {
+          hashes[*id] = file.project()->hash();
+          ++kinds[kind_of(edit)];
+        }
+      }
     }
     REQUIRE(hashes.at(file.head()) == file.project()->hash());
   }
-  CHECK(hashes.size() > 200);
+  CHECK(hashes.size() > kSteps / 3);
+  demonstration::for_each_edit([&](const auto* edit) {
+    const std::string kind(std::remove_pointer_t<decltype(edit)>::kName);
+    CAPTURE(kind);
+    CHECK(kinds[kind] > 0);
+  });
+  for (const char* kind :
+       {"add demonstration", "import demonstrations", "remove demonstration", "restore demonstration",
+        "mark demonstration", "copy demonstration", "split demonstration", "move edit", "enable edit", "change edit",
+        "name edit", "remove edit", "add model", "remove model", "save filter", "remove filter", "batch"}) {
+    CAPTURE(kind);
+    CHECK(kinds[kind] > 0);
+  }
+  // All of it undone, from the deepest node: every document on the way again, and at its end what was there first.
+  REQUIRE(file.go_to(file.history().back().id));
+  while (file.undoable()) {
+    if (file.head() == begin) {
+      REQUIRE(bytes_of(*file.project()) == original);
+    }
+    REQUIRE(file.undo());
+    REQUIRE(hashes.at(file.head()) == file.project()->hash());
+  }
+  REQUIRE(file.head() == 0);
+  REQUIRE(file.go_to(begin));
+  CHECK(bytes_of(*file.project()) == original);
 }
 
 TEST_CASE("a history much longer than the distance of keyframes is undone and redone exactly") {
