@@ -82,6 +82,7 @@ constexpr std::array<Equivalent, 71> kEquivalents{{
     {"view.curves", "trocar demo plot P DEMO --out F.png"},
     {"view.diff", "trocar demo diff P DEMO"},
     {"view.comparison", "trocar demo diff P DEMO"},
+    {"transport.ruler", "trocar demo export P DEMO F.csv"},
     {"help.shortcuts", "trocar ui manual --out DIR"},
     {"help.page", "trocar ui manual --out DIR"},
 }};

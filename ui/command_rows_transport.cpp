@@ -68,7 +68,7 @@ Requests toggle_snapping(const State& state) {
   return one(Command{SetSnapping{!state.snapping}});
 }
 
-constexpr std::array<RowData, 17> kTransportRows{{
+constexpr std::array<RowData, 18> kTransportRows{{
     {"transport.play",
      "Transport",
      "Play or pause",
@@ -214,6 +214,15 @@ constexpr std::array<RowData, 17> kTransportRows{{
      true,
      nullptr,
      toggle_snapping},
+    {"transport.ruler",
+     "Transport",
+     "Next ruler unit",
+     "Seconds, frames of a film (30 a second), or steps of the left tool on the lattice",
+     icon::kSliders,
+     {"Shift+N"},
+     false,
+     nullptr,
+     act<UiAction::kNextRuler>},
 }};
 
 }  // namespace

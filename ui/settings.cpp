@@ -60,21 +60,31 @@ Json json_of_named_layouts(const Settings& settings) {
   return named;
 }
 
-std::uint32_t lanes_from(const Json& names) {
-  LaneSet hidden;
+/// The lanes that a list names; none where it is no list.
+std::uint32_t lanes_from(const Json& json, const char* key) {
+  LaneSet lanes;
+  if (!json.contains(key) || !json[key].is_array()) return 0;
   for (std::size_t i = 0; i < kLaneCount; ++i) {
-    const std::string_view name = name_of(static_cast<Lane>(i));
-    hidden[i] = std::any_of(names.begin(), names.end(), [&](const Json& each) { return each == std::string(name); });
+    const std::string name(name_of(static_cast<Lane>(i)));
+    lanes[i] = std::any_of(json[key].begin(), json[key].end(), [&](const Json& each) { return each == name; });
   }
-  return static_cast<std::uint32_t>(hidden.to_ulong());
+  return static_cast<std::uint32_t>(lanes.to_ulong());
 }
 
-Json names_of_lanes(std::uint32_t hidden) {
+Json names_of_lanes(std::uint32_t lanes) {
   Json names = Json::array();
   for (std::size_t i = 0; i < kLaneCount; ++i) {
-    if (LaneSet(hidden)[i]) names.push_back(std::string(name_of(static_cast<Lane>(i))));
+    if (LaneSet(lanes)[i]) names.push_back(std::string(name_of(static_cast<Lane>(i))));
   }
   return names;
+}
+
+RulerUnit ruler_from(const Json& json) {
+  for (int i = 0; i < kRulerUnitCount; ++i) {
+    const auto unit = static_cast<RulerUnit>(i);
+    if (json.contains("ruler") && json["ruler"] == std::string(name_of(unit))) return unit;
+  }
+  return RulerUnit::kTime;
 }
 
 }  // namespace
@@ -117,9 +127,9 @@ Result<Settings> settings_from_json(std::string_view text, Diagnostics& diagnost
     settings.window = {std::clamp(json["window"][0].get<int>(), 320, 8192),
                        std::clamp(json["window"][1].get<int>(), 240, 8192)};
   }
-  if (json.contains("hidden_lanes") && json["hidden_lanes"].is_array()) {
-    settings.hidden_lanes = lanes_from(json["hidden_lanes"]);
-  }
+  // A lane that an older file does not know is shown or hidden as it is at first.
+  settings.hidden_lanes = lanes_from(json, "hidden_lanes") | (kLanesHiddenAtFirst & ~lanes_from(json, "shown_lanes"));
+  settings.ruler = ruler_from(json);
   if (json.contains("recent") && json["recent"].is_array()) {
     for (const Json& path : json["recent"]) {
       if (path.is_string() && settings.recent.size() < 8) settings.recent.push_back(path.get<std::string>());
@@ -136,7 +146,9 @@ std::string to_json(const Settings& settings) {
                   {"named_layouts", json_of_named_layouts(settings)},
                   {"keys", Json::parse(to_json(settings.keys))},
                   {"window", {settings.window.width, settings.window.height}},
-                  {"hidden_lanes", names_of_lanes(settings.hidden_lanes)},
+                  {"hidden_lanes", names_of_lanes(settings.hidden_lanes & ~kLanesHiddenAtFirst)},
+                  {"shown_lanes", names_of_lanes(~settings.hidden_lanes & kLanesHiddenAtFirst)},
+                  {"ruler", std::string(name_of(settings.ruler))},
                   {"recent", settings.recent}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace);
 }

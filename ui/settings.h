@@ -10,6 +10,7 @@
 #include "engine/core/result.h"
 #include "ui/keymap.h"
 #include "ui/layouts.h"
+#include "ui/panels/time_range.h"
 #include "ui/theme.h"
 #include "ui/tile_tree.h"
 #include "ui/window/window.h"
@@ -25,7 +26,9 @@ struct Settings {
   std::array<std::vector<NamedLayout>, kWorkspaceCount> named;
   KeyChoices keys;
   WindowSize window;
-  std::uint32_t hidden_lanes = 0;   ///< Of the timeline, a bit for each `Lane`; by name in the file.
+  /// Of the timeline, a bit for each `Lane`; by name in the file.
+  std::uint32_t hidden_lanes = kLanesHiddenAtFirst;
+  RulerUnit ruler = RulerUnit::kTime;
   std::vector<std::string> recent;  ///< Projects, newest first, at most 8.
 
   Tile& layout() { return layouts[static_cast<std::size_t>(workspace)]; }

@@ -43,6 +43,7 @@ float effective_scale(const Settings& settings, float content_scale) {
 Shell::Shell(Settings& settings)
     : settings_(settings), tiles_(time_), keymap_(std::make_shared<const Keymap>(settings.keys)) {
   time_->hidden_lanes = settings_.hidden_lanes;
+  time_->ruler = settings_.ruler;
 }
 
 void Shell::tell(std::string words) {
@@ -231,6 +232,7 @@ void Shell::act(UiAction action, const Ui& ui, const WorkbenchState& state, Shel
   if (action == UiAction::kScaleUp) settings_.scale = next_scale(ui.scale(), true);
   if (action == UiAction::kScaleDown) settings_.scale = next_scale(ui.scale(), false);
   if (action == UiAction::kScaleReset) settings_.scale = 1.0F;
+  if (action == UiAction::kNextRuler) time_->ruler = next(time_->ruler);
   if (action == UiAction::kSwitchTheme) settings_.theme = next(settings_.theme);
   if (action == UiAction::kCopyCommand) result.clipboard = status_.last_command;
 }
@@ -282,6 +284,13 @@ ShellResult Shell::draw(Ui& ui, const WorkbenchState& state, double frames_hz, b
   if (!palette_.is_open() && !capturing) ui.take_focus_keys();
   close_popups_on_escape(ui);
   settings_.hidden_lanes = time_->hidden_lanes;
+  settings_.ruler = time_->ruler;
+  // Several panels draw curves; one request is for all of them.
+  if (const auto kinds = std::exchange(time_->wanted_curves, std::nullopt); kinds && *kinds != state.curve_kinds) {
+    requests.emplace_back(workbench::Command{workbench::ShowCurves{*kinds}});
+  }
+  const bool light = settings_.theme == ThemeKind::kLight;
+  if (light != state.light_backdrop) requests.emplace_back(workbench::Command{workbench::SetBackdrop{light}});
   ShellResult result;
   if (!ImGui::IsAnyMouseDown()) history_.settle(settings_.workspace, settings_.layout());
   resolve(requests, ui, state, result);

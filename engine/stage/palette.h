@@ -35,8 +35,10 @@ inline scene::Material drawn(Rgba colour) {
 inline scene::Material board() {
   return material({79, 85, 95, 255}, 0.92F, 0.0F);
 }
-inline scene::Material table() {
-  scene::Material made = material({65, 68, 76, 255}, 0.95F, 0.0F);
+constexpr Rgba kLightTop{206, 211, 218, 255};  // Of the background.
+constexpr Rgba kLightBottom{236, 238, 241, 255};
+inline scene::Material table(bool light) {
+  scene::Material made = material(light ? Rgba{190, 193, 199, 255} : Rgba{65, 68, 76, 255}, 0.95F, 0.0F);
   made.casts_shadow = false;
   return made;
 }

@@ -29,8 +29,8 @@ const Vector3d kScaleBarBehind_m(-0.044, -0.042, 0.0);
 constexpr double kScaleBarAside_m = 0.064;
 const Vector3d kAxesOrigin_m(0.0265, -0.056, 0.0004);
 
-void add_board(const Meshes& meshes, scene::Scene& scene) {
-  scene.nodes.push_back({meshes.table, palette::table()});
+void add_board(const Meshes& meshes, bool light, scene::Scene& scene) {
+  scene.nodes.push_back({meshes.table, palette::table(light)});
   scene.nodes.push_back({meshes.board, palette::board()});
   for (int i = 0; i < peg_board::kBlockCount; ++i) {
     for (const Vector3d& foot : {peg_board::start_peg(i), peg_board::goal_peg(i)}) {
@@ -155,7 +155,11 @@ Result<std::shared_ptr<const Stage>> Stage::load() {
 scene::Scene Stage::scene(const Pose3d& pose, const std::vector<PathLayer>& paths,
                           const std::vector<FieldLayer>& fields, const StageOptions& options) const {
   scene::Scene made;
-  add_board(*meshes_, made);
+  if (options.light_ground) {
+    made.background_top = palette::kLightTop;
+    made.background_bottom = palette::kLightBottom;
+  }
+  add_board(*meshes_, options.light_ground, made);
   add_blocks(*meshes_, pose, options.highlighted_block, made);
   if (options.arms) {
     for (const kinematics::ArmSide side : kinematics::kArmSides) {

@@ -53,6 +53,7 @@ struct StageOptions {
   bool lattice_frame = false;  ///< The edges of the learning cube.
   bool scale_bar = true;       ///< 10 mm on the board's edge, with its label.
   bool labels = true;          ///< Peg numbers, axes.
+  bool light_ground = false;  ///< For a light window: table and background; films and rendered views keep the dark one.
   int highlighted_block = -1;
   /// To the right of the picture, W: the scale bar lies across the view, in front of the pegs.
   Eigen::Vector3d camera_right{0.0, 1.0, 0.0};

@@ -148,6 +148,20 @@ struct FieldSettings {
   float opacity = 0.8F;
   bool operator==(const FieldSettings&) const = default;
 };
+/// A light ground behind the 3-D view, for a light window; films and rendered views keep theirs.
+struct SetBackdrop {
+  bool light = false;
+};
+/// Small pictures of the selected demonstration along time from now on, at `first_s`, `first_s + step_s` and so on; in
+/// a worker, one after the other, kept as long as there is room. `count` 0: no more of it.
+struct ShowFilmstrip {
+  double first_s = 0.0;
+  double step_s = 1.0;
+  int count = 0;       ///< Cut to `kFilmstripPictures`.
+  int height_px = 54;  ///< Of each; they are 16 to 9.
+  bool operator==(const ShowFilmstrip&) const = default;
+};
+constexpr int kFilmstripPictures = 64;
 struct SetField {
   FieldSettings settings;
 };
@@ -249,12 +263,13 @@ struct Report {
   std::string sentence;
 };
 
-using Command = std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
-                             SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary,
-                             PlanBatch, NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges,
-                             CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetField,
-                             SetRollouts, RecordScripted, StopRecording, RecordByHand, FindDevices, HandInput,
-                             JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo,
-                             ExportField, ReadImport, EndImport, MakeImport, ExportDemonstrations, CancelJob, Report>;
+using Command =
+    std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
+                 SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch,
+                 NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping,
+                 SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetRollouts,
+                 RecordScripted, StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel,
+                 VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, ReadImport, EndImport,
+                 MakeImport, ExportDemonstrations, CancelJob, Report>;
 
 }  // namespace trocar::workbench

@@ -73,6 +73,7 @@ std::optional<LiveRecording::End> LiveRecording::poll() {
       runner_.stop();
       return End{tl::unexpected(written.error()), {}};
     }
+    trace_.add(batch->part.samples);
     if (batch->last) last_ = std::move(batch);
   }
   if (!last_) return std::nullopt;

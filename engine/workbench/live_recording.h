@@ -8,6 +8,7 @@
 #include "engine/core/result.h"
 #include "engine/workbench/command.h"
 #include "engine/workbench/live_runner.h"
+#include "engine/workbench/live_trace.h"
 #include "engine/workbench/project_file.h"
 #include "engine/workbench/take_view.h"
 #include "engine/workbench/take_writer.h"
@@ -41,6 +42,8 @@ class LiveRecording {
   /// Nothing happens until then.
   bool waits() const { return take_ && take_->reviewing && !verdict_; }
   const LiveView& view() const { return runner_.view(); }
+  /// What was recorded so far, for lanes over time. The same one until there is more.
+  std::shared_ptr<const LiveTrace> trace() { return trace_.trace(); }
   /// Of a take by hand; null else.
   const TakeView* take() const { return take_ ? &*take_ : nullptr; }
 
@@ -50,6 +53,7 @@ class LiveRecording {
   void ask_for_verdict();
 
   TakeWriter writer_;
+  LiveTracer trace_;
   trial::HandSession* hand_ = nullptr;  ///< The runner's session, if a person drives it.
   std::optional<TakeView> take_;
   std::optional<bool> verdict_;  ///< Whether it is kept; none: not said yet.

@@ -8,7 +8,6 @@
 #include "engine/stage/path_layer.h"
 
 namespace trocar::workbench {
-
 Result<Studio> Studio::create() {
   TROCAR_ASSIGN_OR_RETURN(std::shared_ptr<const stage::Stage> stage, stage::Stage::load());
   TROCAR_ASSIGN_OR_RETURN(render::Renderer renderer, render::Renderer::create());

@@ -133,6 +133,7 @@ ViewDirector::Shown ViewDirector::shown_by(const WorkbenchState& state) const {
   shown.rollouts = state.rollouts;
   shown.X_WC = camera_of(state).X_WC.matrix();
   shown.live_tick = state.live ? state.live->world.tick.count : -1;
+  shown.light = state.light_backdrop;
   shown.width = width_;
   shown.height = height_;
   return shown;
@@ -158,6 +159,7 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) {
     request.options.lattice_frame = true;
   }
   request.camera = camera_of(state);
+  request.options.light_ground = state.light_backdrop;
   request.render.width = width_;
   request.render.height = height_;
   return request;

@@ -44,6 +44,7 @@ class ViewDirector {
     RolloutSettings rollouts;
     Eigen::Matrix4d X_WC = Eigen::Matrix4d::Zero();
     std::int64_t live_tick = -1;
+    bool light = false;
     int width = 0;
     int height = 0;
     bool operator==(const Shown&) const = default;

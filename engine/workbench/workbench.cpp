@@ -204,6 +204,7 @@ bool Workbench::Impl::poll() {
   follow_library();
   follow_batch();
   sketch_history();
+  follow_filmstrip();
   if (view && view->poll(state, now_s)) dirty = true;
   return std::exchange(dirty, false);
 }
@@ -226,7 +227,7 @@ bool Workbench::busy() const {
          impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() ||
          impl_->preview_review.pending() || impl_->curves.pending() || impl_->comparison.pending() ||
          impl_->state.library_pending || impl_->state.batch_pending || !impl_->sketches_wanted.empty() ||
-         (impl_->view && impl_->view->busy());
+         impl_->filmstrip.busy() || (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

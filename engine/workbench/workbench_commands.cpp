@@ -95,6 +95,15 @@ void Workbench::Impl::on(const SetViewSize& command) {
   if (view) view->resize(command.width, command.height);
 }
 
+void Workbench::Impl::on(const SetBackdrop& command) {
+  state.light_backdrop = command.light;
+  dirty = true;
+}
+
+void Workbench::Impl::on(const ShowFilmstrip& command) {
+  filmstrip.ask(command);
+}
+
 void Workbench::Impl::on(const SetField& command) {
   const bool other_layer = command.settings.layer != state.field.layer;
   state.field = command.settings;

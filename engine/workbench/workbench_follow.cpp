@@ -8,6 +8,12 @@ std::shared_ptr<const demonstration::Demonstration> Workbench::Impl::shown() con
   return state.preview && state.preview->after ? state.preview->after : demonstration(state.demonstration);
 }
 
+void Workbench::Impl::follow_filmstrip() {
+  if (!view) return;
+  const auto drawn = state.live ? nullptr : demonstration(state.demonstration);
+  if (filmstrip.poll(drawn, state.light_backdrop, state.filmstrip)) dirty = true;
+}
+
 void Workbench::Impl::follow_curves() {
   CurvesRequest wanted;
   wanted.kinds = state.curve_kinds;

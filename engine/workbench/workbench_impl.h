@@ -49,6 +49,8 @@ struct Workbench::Impl {
   void on(const SetCamera& command);
   void on(const SetCameraPreset& command);
   void on(const SetViewSize& command);
+  void on(const SetBackdrop& command);
+  void on(const ShowFilmstrip& command);
   void on(const SetField& command);
   void on(const SetRollouts& command);
   void on(const RecordScripted& command);
@@ -119,7 +121,10 @@ struct Workbench::Impl {
   bool move(const std::function<Status()>& step);
   /// Into the project that it was learned from, even if another is open by now.
   Status keep_model(const std::shared_ptr<ProjectFile>& owner, const std::shared_ptr<const ModelEntry>& entry);
+  void follow_filmstrip();
   void poll_recording();
+  /// How much room is left where the project is, now and then.
+  void look_at_disk();
   /// What the SpaceMouse does to the tools, if it drives.
   void follow_space_mouse();
   bool poll();
@@ -134,7 +139,9 @@ struct Workbench::Impl {
   std::optional<device::SpaceMouse> space_mouse;
   trial::StickHands space_mouse_hand;
   std::optional<RecordByHand> next_take;  ///< Armed when the verdict on this one has been carried out.
+  double disk_looked_s = -1e9;
   std::optional<ViewDirector> view;
+  FilmstripMaker filmstrip;
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
   LatestWorker<PreviewRequest, std::shared_ptr<const EditPreview>> preview;
   LatestWorker<ReviewRequest, std::shared_ptr<const ReviewView>> review;

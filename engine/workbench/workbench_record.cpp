@@ -72,6 +72,15 @@ void Workbench::Impl::on(const JudgeTake& command) {
   recording->judge(command.verdict == TakeVerdict::kKeep || command.verdict == TakeVerdict::kKeepAndNext);
 }
 
+void Workbench::Impl::look_at_disk() {
+  constexpr double kPeriod_s = 2.0;
+  if (last_poll_s - disk_looked_s < kPeriod_s) return;
+  disk_looked_s = last_poll_s;
+  std::error_code failed;
+  const std::filesystem::space_info space = std::filesystem::space(file->path(), failed);
+  state.disk_free_bytes = failed ? -1 : static_cast<std::int64_t>(space.available);
+}
+
 void Workbench::Impl::poll_recording() {
   if (!recording) return;
   const bool waited = recording->waits();
@@ -79,11 +88,14 @@ void Workbench::Impl::poll_recording() {
   if (waited && !end) return;
   state.live = recording->view();
   state.take = recording->take() == nullptr ? std::nullopt : std::optional(*recording->take());
+  state.live_trace = recording->trace();
+  look_at_disk();
   dirty = true;
   if (!end) return follow_space_mouse();
   recording.reset();
   state.live.reset();
   state.take.reset();
+  state.live_trace.reset();
   if (end->demonstration) {
     tell(end->message);
     state.demonstration = *end->demonstration;

@@ -14,10 +14,12 @@
 #include "engine/workbench/command.h"
 #include "engine/workbench/edit_preview.h"
 #include "engine/workbench/exporting.h"
+#include "engine/workbench/filmstrip.h"
 #include "engine/workbench/insight.h"
 #include "engine/workbench/job_view.h"
 #include "engine/workbench/library.h"
 #include "engine/workbench/live_runner.h"
+#include "engine/workbench/live_trace.h"
 #include "engine/workbench/path_sketch.h"
 #include "engine/workbench/project.h"
 #include "engine/workbench/project_file.h"
@@ -101,7 +103,9 @@ struct WorkbenchState {
   std::shared_ptr<const ModelInsight> insight;  ///< Of the selected model; null until worked out.
   bool insight_pending = false;
   std::optional<LiveView> live;
-  std::optional<TakeView> take;  ///< With `live`, if a person drives.
+  std::optional<TakeView> take;                 ///< With `live`, if a person drives.
+  std::shared_ptr<const LiveTrace> live_trace;  ///< With `live`: what was recorded so far, for the lanes.
+  std::int64_t disk_free_bytes = -1;            ///< With `live`: where the project is; −1: unknown.
   /// As it was last armed; what `R` arms again.
   RecordByHand last_take;
   /// Why no SpaceMouse can drive; "" if one can. As `FindDevices` found it.
@@ -112,6 +116,9 @@ struct WorkbenchState {
   bool picture_pending = false;
   std::optional<TimeSpan> picture_edges;  ///< The instants that it shows, left and right half; nothing: one alone.
   std::string picture_error;
+  bool light_backdrop = false;
+  /// What `ShowFilmstrip` asked for; null until then, and while something is recorded.
+  std::shared_ptr<const Filmstrip> filmstrip;
 
   std::vector<JobView> jobs;  ///< Newest first.
   std::vector<LogLine> log;   ///< Oldest first, at most 500.

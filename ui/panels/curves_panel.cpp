@@ -195,7 +195,7 @@ Requests CurvesPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (state.preview && state.preview->after) shown = state.preview->after;
   time_->follow(state.demonstration.value, length_of(*shown));
   draw_choice(ui, state, *shown);
-  if (state.curve_kinds != kinds_) requests.emplace_back(workbench::Command{workbench::ShowCurves{kinds_}});
+  time_->want_curves(kinds_);
   if (kinds_ == 0) {
     empty_state(ui, icon::kChart, "", "Choose a curve above", {});
   } else if (!is_of(state.curves.get(), *shown)) {

@@ -5,6 +5,18 @@
 
 namespace trocar::ui {
 
+std::string_view name_of(RulerUnit unit) {
+  return unit == RulerUnit::kTime ? "time" : unit == RulerUnit::kFrame ? "frame" : "grid";
+}
+
+std::string_view title_of(RulerUnit unit) {
+  return unit == RulerUnit::kTime ? "Time, s" : unit == RulerUnit::kFrame ? "Frames" : "Grid steps";
+}
+
+RulerUnit next(RulerUnit unit) {
+  return static_cast<RulerUnit>((static_cast<int>(unit) + 1) % kRulerUnitCount);
+}
+
 float TimeRange::x_of(double t_s, float x0, float width) const {
   return x0 + static_cast<float>((t_s - begin_s) / span_s()) * width;
 }

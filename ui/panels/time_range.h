@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace trocar::ui {
 
@@ -20,12 +22,28 @@ struct TimeRange {
   void keep_within(double length_s);
 };
 
+/// What the timeline's ruler counts: seconds, frames of a film (30 a second), or steps of the left tool on the lattice.
+enum class RulerUnit : std::uint8_t { kTime, kFrame, kGridStep };
+constexpr int kRulerUnitCount = 3;
+/// "time", "frame", "grid".
+std::string_view name_of(RulerUnit unit);
+/// "Time, s", "Frames", "Grid steps".
+std::string_view title_of(RulerUnit unit);
+RulerUnit next(RulerUnit unit);
+
+/// Lanes of the timeline that are hidden until somebody wants them: those of curves.
+constexpr std::uint32_t kLanesHiddenAtFirst = 0x3F800;
+
 /// The range that all panels over time show together. Threads: that of the window.
 struct SharedTime {
   TimeRange range;
-  std::int64_t demonstration = 0;  ///< Of which it is; 0: of none yet.
-  double length_s = 0.0;           ///< Of that, when it was last followed.
-  std::uint32_t hidden_lanes = 0;  ///< Of the timeline, a bit for each `Lane`; remembered between runs.
+  std::int64_t demonstration = 0;                    ///< Of which it is; 0: of none yet.
+  double length_s = 0.0;                             ///< Of that, when it was last followed.
+  std::uint32_t hidden_lanes = kLanesHiddenAtFirst;  ///< A bit for each `Lane`; remembered between runs.
+  RulerUnit ruler = RulerUnit::kTime;                ///< Likewise.
+  /// The curves (`workbench::CurveKinds`) that the panels of this frame draw; nothing: none of them is there.
+  std::optional<std::uint32_t> wanted_curves;
+  void want_curves(std::uint32_t kinds) { wanted_curves = wanted_curves.value_or(0) | kinds; }
 
   /// Shows the whole of another demonstration than before, and of one that has another length where all of it was
   /// shown; keeps the range within its length.

@@ -3,10 +3,14 @@
 
 #include <bitset>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "engine/review/review.h"
+#include "engine/workbench/curves.h"
+#include "engine/workbench/filmstrip.h"
 #include "ui/panels/lane_data.h"
 #include "ui/panels/time_range.h"
 #include "ui/widgets/widgets.h"
@@ -15,6 +19,7 @@ namespace trocar::ui {
 
 /// From top to bottom.
 enum class Lane : std::uint8_t {
+  kPictures,
   kSegments,
   kAuthority,
   kJawLeft,
@@ -24,9 +29,16 @@ enum class Lane : std::uint8_t {
   kNotes,
   kProblems,
   kEdits,
-  kOriginal
+  kOriginal,
+  kX,
+  kY,
+  kZ,
+  kSpeed,
+  kAcceleration,
+  kJerk,
+  kClearance
 };
-constexpr std::size_t kLaneCount = 10;
+constexpr std::size_t kLaneCount = 18;
 using LaneSet = std::bitset<kLaneCount>;
 constexpr bool has(const LaneSet& lanes, Lane lane) {
   return lanes[static_cast<std::size_t>(lane)];
@@ -34,6 +46,10 @@ constexpr bool has(const LaneSet& lanes, Lane lane) {
 /// "Jaw L", and a sentence about what it shows.
 std::string_view name_of(Lane lane);
 std::string_view help_of(Lane lane);
+/// The curve that a lane shows, if it shows one.
+std::optional<workbench::CurveKind> curve_of(Lane lane);
+/// The curves that the lanes need.
+workbench::CurveKinds curves_of(const LaneSet& lanes);
 
 struct LaneLayout {
   Rect names;  ///< Column of the lanes' names.
@@ -41,6 +57,7 @@ struct LaneLayout {
   Rect gates;  ///< Between ruler and lanes: what is used, from gate to gate.
   Rect lanes;  ///< Times run from `lanes.x0` to `lanes.x1`.
   TimeRange range;
+  float scroll = 0.0F;  ///< How far the lanes are scrolled up, pixels.
   double gate_in_s = 0.0;
   double gate_out_s = 0.0;
 
@@ -48,12 +65,28 @@ struct LaneLayout {
   double time_at(float x) const { return range.time_at(x, lanes.x0, lanes.width()); }
 };
 
-LaneLayout lay_out(const Ui& ui, const Rect& area, const TimeRange& range);
-/// What ruler, gates and the shown lanes take, pixels.
+LaneLayout lay_out(const Ui& ui, const Rect& area, const TimeRange& range, float scroll = 0.0F);
+/// What ruler and gates take, and what the shown lanes take, pixels.
+float lanes_head(const Ui& ui);
 float lanes_height(const Ui& ui, const LaneSet& shown);
-void draw_ruler(Ui& ui, const LaneLayout& layout);
+/// `step_times`: where the left tool goes on by a cell of the lattice, for a ruler in grid steps.
+void draw_ruler(Ui& ui, const LaneLayout& layout, RulerUnit unit, std::span<const double> step_times);
+
+/// What the lanes show, for one frame.
+struct LaneGround {
+  const demonstration::Demonstration& shown;
+  const LaneData& data;
+  std::span<const review::Problem> problems;
+  const workbench::CurveSet* curves = nullptr;  ///< Null until they are worked out.
+  std::shared_ptr<const workbench::Filmstrip> pictures;
+};
 /// The shown lanes from the top. Words stand between the gates, and times of segments are cut to them.
-void draw_lanes(Ui& ui, const LaneLayout& layout, const LaneSet& lanes, const demonstration::Demonstration& shown,
-                const LaneData& data, std::span<const review::Problem> problems);
+void draw_lanes(Ui& ui, const LaneLayout& layout, const LaneSet& lanes, const LaneGround& ground);
+/// Those that a recording has while it goes on.
+LaneSet live_lanes();
+void draw_live_lanes(Ui& ui, const LaneLayout& layout, const LaneData& data);
+
+/// The pictures that fit the lane at this zoom.
+workbench::ShowFilmstrip pictures_for(const Ui& ui, const LaneLayout& layout);
 
 }  // namespace trocar::ui

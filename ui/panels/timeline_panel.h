@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "ui/panel.h"
@@ -25,12 +26,24 @@ class TimelinePanel final : public Panel {
   void draw_speed(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown, Requests& requests);
   void draw_lane_area(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown,
                       Requests& requests);
+  /// Lanes that are higher than their room are scrolled by the bar at their right, or by the wheel over their names.
+  void scroll_lanes(Ui& ui, const LaneLayout& layout, float content, bool hovered);
+  /// What the ruler counts, beside it: a click goes on to the next unit. True while it has the mouse.
+  bool take_ruler_unit(Ui& ui, const LaneLayout& layout, bool hovered);
+  void draw_live(Ui& ui, const WorkbenchState& state);
+  /// What the lanes show that is worked out behind the window.
+  void ask(const Ui& ui, const LaneLayout& layout, Requests& requests);
   bool escapes(const Ui& ui) const;
 
   std::shared_ptr<SharedTime> time_;
   TimeRange& range_ = time_->range;
   LaneData data_;
-  LaneSet lanes_ = LaneSet().set();
+  LaneData live_;
+  LaneSet lanes_;
+  float scroll_ = 0.0F;           ///< How far the lanes are scrolled up, pixels.
+  std::optional<float> grabbed_;  ///< Where in the bar's thumb the mouse holds it.
+  bool unit_held_ = false;        ///< The mouse went down on the ruler's unit.
+  workbench::ShowFilmstrip asked_;
   TimelineMouse mouse_;
   TimelineTools tools_;
   workbench::DemonstrationId fitted_;
