@@ -258,7 +258,10 @@ struct Tool {
 
 std::vector<Tool> tools_of(const WorkbenchState& state) {
   std::vector<Tool> tools;
-  if (state.live) {
+  if (state.take && state.take->reviewing) {
+    tools.push_back({"record.keep", "Keep", ButtonStyle::kPrimary, 0.0F});
+    tools.push_back({"record.discard", "Discard", ButtonStyle::kNormal, 8.0F});
+  } else if (state.live) {
     tools.push_back({"demo.stop", "Stop and keep", ButtonStyle::kDanger, 0.0F});
     tools.push_back({"demo.discard", "Discard", ButtonStyle::kNormal, 8.0F});
   } else {

@@ -40,7 +40,8 @@ class Runner {
  private:
   Status expect(const ScriptLine& line);
   Status wait(const ScriptLine& line);
-  Status wait_for(const std::string& path, double limit_s);
+  /// Until `met` succeeds; its error if it does not in time.
+  Status wait_until(const std::function<Status()>& met, double limit_s);
 
   Application& application_;
   const Progress* progress_;
@@ -73,13 +74,13 @@ Status Runner::settle_or_go_on() {
   return {};
 }
 
-Status Runner::wait_for(const std::string& path, double limit_s) {
+Status Runner::wait_until(const std::function<Status()>& met, double limit_s) {
   const SystemClock clock;
   const double end_s = clock.now_s() + limit_s;
   while (true) {
-    Status present = driver_.expect_present(path, true);
-    if (present) return {};
-    if (clock.now_s() > end_s) return present;
+    Status now = met();
+    if (now) return {};
+    if (clock.now_s() > end_s) return now;
     TROCAR_RETURN_IF_ERROR(step());
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
@@ -87,8 +88,13 @@ Status Runner::wait_for(const std::string& path, double limit_s) {
 
 Status Runner::wait(const ScriptLine& line) {
   const auto& words = line.words;
-  if (words[1] == "idle") return settle(words.size() > 2 ? static_cast<double>(word_number(words[2])) : 60.0);
-  return wait_for(words[2], words.size() > 3 ? static_cast<double>(word_number(words[3])) : 60.0);
+  constexpr double kPatience_s = 60.0;
+  const auto limit_s = [&](std::size_t place) {
+    return words.size() > place ? static_cast<double>(word_number(words[place])) : kPatience_s;
+  };
+  if (words[1] == "idle") return settle(limit_s(2));
+  if (words[1] == "for") return wait_until([&] { return driver_.expect_present(words[2], true); }, limit_s(3));
+  return wait_until([&] { return driver_.expect_contains(words[2], words[3]); }, limit_s(4));
 }
 
 Status Runner::expect(const ScriptLine& line) {
@@ -116,7 +122,7 @@ Status Runner::run(const ScriptLine& line) {
   if (verb == "wheel") return driver_.wheel(words[1], word_number(words[2]));
   if (verb == "type") return driver_.type(words[1], words[2]);
   if (verb == "key") return driver_.key(words[1]);
-  if (verb == "key_down" || verb == "key_up") return driver_.modifier(words[1], verb == "key_down");
+  if (verb == "key_down" || verb == "key_up") return driver_.held(words[1], verb == "key_down");
   if (verb == "drop") return driver_.drop((folder_ / words[1]).string());
   if (verb == "expect") return expect(line);
   if (verb == "wait") return wait(line);

@@ -50,6 +50,28 @@ void draw_last_command(Ui& ui, const StatusLine& line, ImVec2 end, float top, fl
   note_item(ui, "text", "Last command", line.last_command, {.help = line.last_command});
 }
 
+/// What the tool in hand does, and what its modifiers do; "" if none is in hand.
+std::string_view tool_hint(const WorkbenchState& state) {
+  using workbench::GizmoKind;
+  if (state.live && state.take && !state.take->reviewing) {
+    switch (state.take->request.options.mode) {
+      case trial::HandMode::kContinuous:
+        return "W S A D E Q (I K J L O U) move while held, C (N) jaws; Shift: finely, V: clutch, P: pause, R: end";
+      case trial::HandMode::kStep:
+        return "W S A D E Q (I K J L O U) move by one cell, C (N) jaws; V: clutch, P: pause, R: end";
+      case trial::HandMode::kWaypoint:
+        return "Set the place by keys or mouse, Enter goes there, C (N) jaws; Shift: finely, P: pause, R: end";
+    }
+  }
+  if (state.gizmo.kind == GizmoKind::kMove) {
+    return "Drag an arrow or a square; X Y Z: one axis, Ctrl: whole cells, wheel: how far in time, Esc: put it down";
+  }
+  if (state.gizmo.kind == GizmoKind::kTurn) {
+    return "Drag a ring; X Y Z: one axis, Ctrl: whole steps, wheel: how far in time, Esc: put it down";
+  }
+  return {};
+}
+
 }  // namespace
 
 float status_line_height(const Ui& ui) {
@@ -64,8 +86,10 @@ Requests draw_status_line(Ui& ui, const WorkbenchState& state, const StatusLine&
   const float y = top + 0.5F * (status_line_height(ui) - ImGui::GetTextLineHeight());
   const float right = ImGui::GetWindowWidth() - ui.px(10);
   const std::string project = state.project == nullptr ? std::string("No project") : shown_path(state.path);
-  const bool tells = !line.done.empty() && (line.hint.empty() || line.just_done);
-  const std::string hint = tells ? line.done : line.hint.empty() ? project : line.hint;
+  const std::string tool(tool_hint(state));
+  const std::string& still = line.hint.empty() ? tool : line.hint;
+  const bool tells = !line.done.empty() && (still.empty() || line.just_done);
+  const std::string hint = tells ? line.done : still.empty() ? project : still;
   const float copy = line.last_command.empty() ? 0.0F : ui.px(26) + ui.px(8);
   const StatusRoom room = status_room(ui, right - ui.px(12) - copy, hint, line.last_command);
   const std::string shown = fitted(hint, room.sentence);

@@ -131,11 +131,15 @@ Status Driver::type(std::string_view path, std::string_view text) {
   return key("Enter");
 }
 
-Status Driver::modifier(std::string_view name, bool down) {
+Status Driver::held(std::string_view name, bool down) {
   if (name == "Ctrl") return key_event(Key::kLeftControl, down);
   if (name == "Shift") return key_event(Key::kLeftShift, down);
   if (name == "Alt") return key_event(Key::kLeftAlt, down);
-  return fail(ErrorCode::kInvalidArgument, fmt::format("{} is neither Ctrl, Shift nor Alt", in_quotes(name)));
+  TROCAR_ASSIGN_OR_RETURN(const Chord chord, chord_from(name));
+  if (chord.modifiers.control || chord.modifiers.shift || chord.modifiers.alt) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("{} is more than one key", in_quotes(name)));
+  }
+  return key_event(chord.key, down);
 }
 
 Status Driver::drop(std::string_view path) {

@@ -34,8 +34,8 @@ class Driver {
   /// "Ctrl+Shift+T". Errors: kInvalidArgument.
   Status key(std::string_view chord);
 
-  /// Ctrl, Shift or Alt, for what is done until it is let go. Errors: kInvalidArgument.
-  Status modifier(std::string_view name, bool down);
+  /// Ctrl, Shift, Alt or a key ("W"), held for what is done until it is let go. Errors: kInvalidArgument.
+  Status held(std::string_view name, bool down);
 
   Result<Item> item(std::string_view path) const;
   Status expect_value(std::string_view path, std::string_view value) const;

@@ -25,11 +25,11 @@ constexpr std::array<Verb, 17> kVerbs{
      {"wheel", 3, 3, 2, "wheel LABEL STEPS"},
      {"type", 3, 3, 0, "type LABEL TEXT"},
      {"key", 2, 2, 0, "key CHORD"},
-     {"key_down", 2, 2, 0, "key_down Ctrl | Shift | Alt"},
-     {"key_up", 2, 2, 0, "key_up Ctrl | Shift | Alt"},
+     {"key_down", 2, 2, 0, "key_down Ctrl | Shift | Alt | KEY"},
+     {"key_up", 2, 2, 0, "key_up Ctrl | Shift | Alt | KEY"},
      {"drop", 2, 2, 0, "drop FILE"},
      {"expect", 3, 4, 0, "expect LABEL value TEXT | contains TEXT | enabled | disabled | present | absent"},
-     {"wait", 2, 4, 0, "wait idle [SECONDS] | for LABEL [SECONDS]"},
+     {"wait", 2, 5, 0, "wait idle [SECONDS] | for LABEL [SECONDS] | until LABEL TEXT [SECONDS]"},
      {"screenshot", 2, 2, 0, "screenshot F.png"},
      {"frames", 2, 2, 1, "frames COUNT"},
      {"dump", 2, 2, 0, "dump F.json"}}};
@@ -84,6 +84,7 @@ bool known_expectation(const std::vector<std::string>& words) {
 
 bool known_wait(const std::vector<std::string>& words) {
   if (words[1] == "idle") return words.size() == 2 || (words.size() == 3 && is_number(words[2]));
+  if (words[1] == "until") return words.size() == 4 || (words.size() == 5 && is_number(words[4]));
   if (words[1] == "for") return words.size() == 3 || (words.size() == 4 && is_number(words[3]));
   return false;
 }
@@ -105,7 +106,8 @@ Status check(const ScriptLine& line) {
     return at_line(line.number, "expect value W, contains W, enabled, disabled, present or absent");
   }
   if (verb->name == "wait" && !known_wait(line.words)) {
-    return at_line(line.number, "wait idle [SECONDS] or wait for \"LABEL\" [SECONDS]");
+    return at_line(line.number,
+                   "wait idle [SECONDS], wait for \"LABEL\" [SECONDS] or wait until \"LABEL\" \"TEXT\" [SECONDS]");
   }
   return {};
 }

@@ -131,7 +131,7 @@ workbench::RecordByHand RecordForm::take(const WorkbenchState& state) const {
   return take;
 }
 
-Requests RecordForm::draw_by_hand(Ui& ui, const WorkbenchState& state) {
+void RecordForm::draw_by_hand(Ui& ui, const WorkbenchState& state) {
   const bool in_a_world = punch_ || replays();
   draw_arms(ui);
   draw_replayed(ui, state);
@@ -140,7 +140,38 @@ Requests RecordForm::draw_by_hand(Ui& ui, const WorkbenchState& state) {
   draw_task(ui, in_a_world ? "As in the demonstration that is replayed" : "");
   form_label(ui, "Name");
   text_field(ui, "Name", name_, "By hand, and a number");
-  ImGui::Dummy({0.0F, ui.px(6)});
+}
+
+void RecordForm::draw_scripted(Ui& ui) {
+  wrapped_text(ui,
+               "Two scripted operators carry a block from its peg to a goal peg in the simulator. What they make is "
+               "marked as scripted.",
+               ui.theme().text_dim);
+  ImGui::Dummy({0.0F, ui.px(4)});
+  form_label(ui, "Skill");
+  segmented(ui, "Skill", skill_, skill_names(), {.help = "How steady the scripted hands are"});
+  draw_task(ui, "");
+  form_label(ui, "Name");
+  text_field(ui, "Name", name_, "From skill and seed");
+  form_label(ui, "Speed");
+  checkbox(ui, "In real time", realtime_, {.help = "Off: as fast as this machine can"});
+}
+
+Requests RecordForm::draw_content(Ui& ui, const WorkbenchState& state) {
+  static const std::vector<std::string> kWho{"By hand", "Scripted"};
+  form_label(ui, "Who");
+  segmented(ui, "Who", who_, kWho, {.help = "You, with one arm or both; or two scripted operators"});
+  gamepad_ = gamepad_ && ui.gamepad().has_value();
+  Requests requests;
+  if (who_ == 0) draw_by_hand(ui, state);
+  if (who_ != 0) draw_scripted(ui);
+  if (!looked_) requests.emplace_back(workbench::Command{workbench::FindDevices{}});
+  looked_ = true;
+  return requests;
+}
+
+Requests RecordForm::draw_arm(Ui& ui, const WorkbenchState& state) {
+  const bool in_a_world = punch_ || replays();
   std::string reason = command("record.arm").reason_now(state);
   const auto hand = static_cast<int>(trial::ArmSource::kHand);
   if (reason.empty() && sources_[0] != hand && sources_[1] != hand) reason = "Drive one arm at least";
@@ -157,20 +188,7 @@ Requests RecordForm::draw_by_hand(Ui& ui, const WorkbenchState& state) {
   return {workbench::Command{take(state)}, ShowPanel{PanelId::kView}};
 }
 
-Requests RecordForm::draw_scripted(Ui& ui, const WorkbenchState& state) {
-  wrapped_text(ui,
-               "Two scripted operators carry a block from its peg to a goal peg in the simulator. What they make is "
-               "marked as scripted.",
-               ui.theme().text_dim);
-  ImGui::Dummy({0.0F, ui.px(4)});
-  form_label(ui, "Skill");
-  segmented(ui, "Skill", skill_, skill_names(), {.help = "How steady the scripted hands are"});
-  draw_task(ui, "");
-  form_label(ui, "Name");
-  text_field(ui, "Name", name_, "From skill and seed");
-  form_label(ui, "Speed");
-  checkbox(ui, "In real time", realtime_, {.help = "Off: as fast as this machine can"});
-  ImGui::Dummy({0.0F, ui.px(6)});
+Requests RecordForm::draw_start(Ui& ui, const WorkbenchState& state) {
   const std::string reason = command("demo.record").reason_now(state);
   if (!button(ui, "Start recording",
               {.icon = icon::kRecord, .reason = reason, .width = -1.0F, .style = ButtonStyle::kDanger})) {
@@ -188,15 +206,8 @@ Requests RecordForm::draw_scripted(Ui& ui, const WorkbenchState& state) {
   return {workbench::Command{record}};
 }
 
-Requests RecordForm::draw_content(Ui& ui, const WorkbenchState& state) {
-  static const std::vector<std::string> kWho{"By hand", "Scripted"};
-  form_label(ui, "Who");
-  segmented(ui, "Who", who_, kWho, {.help = "You, with one arm or both; or two scripted operators"});
-  gamepad_ = gamepad_ && ui.gamepad().has_value();
-  Requests requests = who_ == 0 ? draw_by_hand(ui, state) : draw_scripted(ui, state);
-  if (!looked_) requests.insert(requests.begin(), workbench::Command{workbench::FindDevices{}});
-  looked_ = true;
-  return requests;
+Requests RecordForm::draw_footer(Ui& ui, const WorkbenchState& state) {
+  return who_ == 0 ? draw_arm(ui, state) : draw_start(ui, state);
 }
 
 }  // namespace trocar::ui

@@ -16,10 +16,14 @@ class RecordForm final : public Form {
   float width() const override { return 640.0F; }
   void prepare(const WorkbenchState& state) override;
   Requests draw_content(Ui& ui, const WorkbenchState& state) override;
+  bool has_footer() const override { return true; }
+  Requests draw_footer(Ui& ui, const WorkbenchState& state) override;
 
  private:
-  Requests draw_scripted(Ui& ui, const WorkbenchState& state);
-  Requests draw_by_hand(Ui& ui, const WorkbenchState& state);
+  void draw_scripted(Ui& ui);
+  void draw_by_hand(Ui& ui, const WorkbenchState& state);
+  Requests draw_arm(Ui& ui, const WorkbenchState& state);
+  Requests draw_start(Ui& ui, const WorkbenchState& state);
   void draw_arms(Ui& ui);
   void draw_replayed(Ui& ui, const WorkbenchState& state);
   void draw_way(Ui& ui);

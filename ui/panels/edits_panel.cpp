@@ -311,7 +311,11 @@ void EditsPanel::draw_outcome(Ui& ui, const WorkbenchState& state) {
 
 void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "Draft");
-  heading(ui, draft_->copies > 0 ? std::string("Perturbed copies") : demonstration::title_of(draft_->name));
+  {
+    // Some edits are called as one of their fields.
+    const Scope kind(ui, "Kind");
+    heading(ui, draft_->copies > 0 ? std::string("Perturbed copies") : demonstration::title_of(draft_->name));
+  }
   // Also when the demonstration has changed meanwhile, as by undo.
   const auto shown = selected_demonstration(state);
   bool changed = draft_->previewed != shown;

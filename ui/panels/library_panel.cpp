@@ -99,7 +99,9 @@ bool card(Ui& ui, std::string_view label, bool selected, std::string_view value,
   return clicked;
 }
 
-std::string demonstrations_heading(const WorkbenchState& state) {
+// The wide table says itself how many there are and how many of them it shows.
+std::string demonstrations_heading(const WorkbenchState& state, bool wide) {
+  if (wide && !state.project->demonstrations.empty()) return "DEMONSTRATIONS";
   return "DEMONSTRATIONS  " + std::to_string(state.project->demonstrations.size());
 }
 
@@ -109,8 +111,9 @@ std::string models_heading(const WorkbenchState& state) {
 
 // Above a list that has been scrolled, so that it is known of what the rows are.
 void draw_pinned_heading(const Ui& ui, const std::string& words) {
-  if (ImGui::GetScrollY() <= 0.0F) return;
   const FontScope font(ui.fonts().small);
+  // While the heading itself can be seen there is no need of another.
+  if (ImGui::GetScrollY() < ImGui::GetFontSize()) return;
   const ImVec2 at = ImGui::GetWindowPos();
   const float height = ImGui::GetFontSize() + ui.px(6);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -166,7 +169,8 @@ Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
   draw_models(ui, state, wide, requests);
   draw_trash(ui, state, requests);
   if (tall) {
-    draw_pinned_heading(ui, ImGui::GetScrollY() < models_y ? demonstrations_heading(state) : models_heading(state));
+    draw_pinned_heading(ui,
+                        ImGui::GetScrollY() < models_y ? demonstrations_heading(state, wide) : models_heading(state));
     ImGui::EndChild();
   }
   return requests;
@@ -175,7 +179,7 @@ Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
 void LibraryPanel::draw_demonstrations(Ui& ui, const WorkbenchState& state, bool wide, Requests& requests) {
   const auto& list = state.project->demonstrations;
   const Scope scope(ui, "Demonstrations");
-  small_text(ui, demonstrations_heading(state), ui.theme().text_dim);
+  small_text(ui, demonstrations_heading(state, wide), ui.theme().text_dim);
   if (list.empty()) {
     const std::string_view busy = state.live ? "A transfer is being recorded" : "";
     const std::array<EmptyStateAction, 2> actions{

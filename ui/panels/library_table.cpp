@@ -35,7 +35,7 @@ constexpr std::array<ShownColumn, 15> kShown{{{"name", 190},
                                               {"replay", 84},
                                               {"model", 120},
                                               {"source", 120}}};
-constexpr float kLibraryRowHeight = 36.0F;
+constexpr float kLibraryRowHeight = 58.0F;  // A path can be told in a picture of this height.
 
 std::string head_of(const LibraryColumn& column) {
   return column.unit.empty() ? std::string(column.title) : fmt::format("{} [{}]", column.title, column.unit);

@@ -188,6 +188,13 @@ void ProblemsPanel::draw_list(Ui& ui, const WorkbenchState& state, Requests& req
   }
 }
 
+void draw_summary(Ui& ui, const std::string& words) {
+  const FontScope font(ui.fonts().small);
+  const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
+  ImGui::TextUnformatted(words.c_str());
+  note_item(ui, "text", "Summary", words, {});
+}
+
 Requests ProblemsPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_no_project(ui, state)) return requests;
@@ -207,9 +214,7 @@ Requests ProblemsPanel::draw(Ui& ui, const WorkbenchState& state) {
   }
   const std::vector<Problem>& problems = state.review->review.problems;
   const bool nothing = problems.empty() && !state.review_pending;
-  if (!nothing) {
-    small_text(ui, state.review_pending ? "Checking again" : summary(problems), ui.theme().text_dim);
-  }
+  if (!nothing) draw_summary(ui, state.review_pending ? "Checking again" : summary(problems));
   if (!state.review->incomplete.empty()) wrapped_text(ui, state.review->incomplete, ui.theme().warning);
   if (nothing) {
     empty_state(ui, icon::kVerify, "0 problems", "Nothing was found that should not be learned from", {});

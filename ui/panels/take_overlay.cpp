@@ -99,6 +99,14 @@ void push_away(const WorkbenchState& state, const ViewPort& view, ArmSide arm, f
   requests.emplace_back(Command{workbench::HandInput{{trial::ShiftTool{arm, way}}}});
 }
 
+/// "  |  disk 41 GB"; nothing where that is unknown.
+std::string disk_words(std::int64_t free_bytes) {
+  if (free_bytes < 0) return {};
+  const double gigabytes = static_cast<double>(free_bytes) / 1e9;
+  return gigabytes < 10.0 ? fmt::format("  |  disk {:.1f} GB", gigabytes)
+                          : fmt::format("  |  disk {:.0f} GB", gigabytes);
+}
+
 std::string recorded_words(const LiveView& live, bool by_hand) {
   const char* word = live.status.phase == Phase::kPaused ? "PAUSED" : "REC";
   std::string words =
@@ -176,64 +184,6 @@ void draw_waypoints(Ui& ui, const WorkbenchState& state, const ViewPort& view) {
     note_rect(ui, "mark", fmt::format("{} waypoint", arm_name(side)), "",
               {to->x() - half, to->y() - half, to->x() + half, to->y() + half});
   }
-}
-
-constexpr std::array<std::string_view, 4> kVerdicts{"record.keep", "record.next", "record.again", "record.discard"};
-
-/// In how many rows the buttons of the verdict flow.
-int verdict_rows(const Ui& ui, float width) {
-  int rows = 1;
-  float x = 0.0F;
-  for (const std::string_view id : kVerdicts) {
-    const CommandRow& row = command(id);
-    const float needed = button_width(ui, row.title, row.icon);
-    if (x > 0.0F && x + needed > width) {
-      ++rows;
-      x = 0.0F;
-    }
-    x += needed + ui.px(8);
-  }
-  return rows;
-}
-
-void draw_verdict_buttons(Ui& ui, const WorkbenchState& state, Requests& requests) {
-  for (std::size_t i = 0; i < kVerdicts.size(); ++i) {
-    const CommandRow& row = command(kVerdicts[i]);
-    if (i > 0) flow(button_width(ui, row.title, row.icon), ui.px(8));
-    const ButtonStyle style = i == 0 ? ButtonStyle::kPrimary : i == 3 ? ButtonStyle::kDanger : ButtonStyle::kNormal;
-    const std::string reason = row.reason_now(state);
-    const std::string_view keys = shown_keys(ui, row.id);
-    if (button(ui, row.title,
-               {.icon = row.icon, .help = row.help, .shortcut = keys, .reason = reason, .style = style})) {
-      append(requests, row.run(state));
-    }
-  }
-}
-
-void draw_verdict(Ui& ui, const WorkbenchState& state, const Rect& rect, float bottom, Requests& requests) {
-  const Scope scope(ui, "Take");
-  const float margin = ui.px(12);
-  const float inner = std::min(rect.width() - ui.px(32), ui.px(760));
-  const float line = ImGui::GetFrameHeight() + ui.px(6);
-  const std::string words = fmt::format("{}: {}", state.take->name, state.take->summary);
-  const float text_height = ImGui::CalcTextSize(words.c_str(), nullptr, false, inner).y;
-  const float wanted = 2.0F * margin + text_height + ui.px(8) + static_cast<float>(verdict_rows(ui, inner)) * line;
-  // In a low view the words are cut short, and the buttons scrolled to.
-  const float height = std::min(wanted, bottom - rect.y0 - ui.px(4));
-  const bool low = height < wanted;
-  const Rect box{rect.centre_x() - 0.5F * inner - margin, bottom - height, rect.centre_x() + 0.5F * inner + margin,
-                 bottom};
-  ImGui::GetWindowDrawList()->AddRectFilled({box.x0, box.y0}, {box.x1, box.y1}, to_u32(ui.theme().panel, 0.96F),
-                                            ui.px(8));
-  ImGui::SetCursorScreenPos({box.x0 + margin, box.y0 + margin});
-  ImGui::BeginChild("Verdict", {inner, height - 2.0F * margin}, false, ImGuiWindowFlags_NoBackground);
-  if (low) {
-    text(ui, fitted(words, ImGui::GetContentRegionAvail().x));
-  } else {
-    wrapped_text(ui, words, ui.theme().text);
-  }
-  draw_verdict_buttons(ui, state, requests);
-  ImGui::EndChild();
 }
 
 }  // namespace
@@ -320,18 +270,17 @@ void TakeOverlay::draw_marks(Ui& ui, const WorkbenchState& state, const ViewPort
   draw_handles(ui, state, view);
 }
 
-void TakeOverlay::draw(Ui& ui, const WorkbenchState& state, const ViewPort& view, float bottom,
-                       Requests& requests) const {
+void TakeOverlay::draw(Ui& ui, const WorkbenchState& state, const ViewPort& view, float bottom) const {
   if (!state.live) return;
   const FontScope font(ui.fonts().strong);
   const LiveView& live = *state.live;
   bottom -= ui.px(17);
-  if (state.take && state.take->reviewing) return draw_verdict(ui, state, view.rect, bottom, requests);
+  if (state.take && state.take->reviewing) return;
   if (live.status.phase == Phase::kLeadIn || live.status.phase == Phase::kCountdown) {
     return draw_countdown(ui, live, view.rect, bottom);
   }
   draw_frame(ui, view.rect);
-  const std::string words = recorded_words(live, state.take.has_value());
+  const std::string words = recorded_words(live, state.take.has_value()) + disk_words(state.disk_free_bytes);
   // The time is what matters most.
   const std::string brief = fmt::format("{}  REC  {}", icon::kRecord, record_time(live.elapsed_s));
   const bool fits = ImGui::CalcTextSize(words.c_str()).x <= view.rect.width() - ui.px(44);

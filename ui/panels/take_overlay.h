@@ -1,5 +1,5 @@
 /// What lies over the 3-D view while something is recorded: the red frame and its words, the countdown, what the arms
-/// cannot do, the verdict; and the mouse, which drags the tools.
+/// cannot do; and the mouse, which drags the tools.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ class TakeOverlay {
   /// Where the tools will go, over the picture.
   void draw_marks(Ui& ui, const WorkbenchState& state, const ViewPort& view) const;
   /// Over all that; its words stand above `bottom`.
-  void draw(Ui& ui, const WorkbenchState& state, const ViewPort& view, float bottom, Requests& requests) const;
+  void draw(Ui& ui, const WorkbenchState& state, const ViewPort& view, float bottom) const;
 
  private:
   struct Drag {

@@ -163,7 +163,9 @@ void ViewPanel::take_mouse(Ui& ui, const WorkbenchState& state, bool hovered, Re
 void ViewPanel::draw_picture(Ui& ui, const WorkbenchState& state, const Rect& rect) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (state.picture == nullptr || state.picture->empty()) {
-    list.AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, IM_COL32(30, 33, 38, 255));
+    // As the picture's own ground.
+    const ImU32 ground = state.light_backdrop ? IM_COL32(221, 225, 230, 255) : IM_COL32(30, 33, 38, 255);
+    list.AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, ground);
     return;
   }
   const Image& picture = *state.picture;
@@ -201,7 +203,7 @@ void ViewPanel::draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& r
   const Rect buttons = item_rect();
   // Not under the buttons.
   if (rect.height() > ui.px(140)) draw_axes(ui, state, rect);
-  take_.draw(ui, state, {shown_camera(state), rect}, buttons.y0 > rect.centre_y() ? buttons.y0 : rect.y1, requests);
+  take_.draw(ui, state, {shown_camera(state), rect}, buttons.y0 > rect.centre_y() ? buttons.y0 : rect.y1);
   if (state.picture == nullptr && state.picture_error.empty()) {
     ImGui::SetCursorScreenPos({rect.x1 - ui.px(40), rect.y1 - ui.px(40)});
     spinner(ui, ui.px(14), ui.theme().text_dim);
@@ -225,6 +227,7 @@ Requests ViewPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_welcome(ui, state, requests)) return requests;
   gizmo_bar_.draw(ui, state, requests);
+  review_bar_.draw(ui, state, requests);
   const ImVec2 size = ImGui::GetContentRegionAvail();
   follow_size(size, requests);
   const std::string value = state.picture == nullptr

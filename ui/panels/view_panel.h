@@ -7,6 +7,7 @@
 #include "ui/panel.h"
 #include "ui/panels/gizmo_bar.h"
 #include "ui/panels/gizmo_overlay.h"
+#include "ui/panels/review_bar.h"
 #include "ui/panels/take_overlay.h"
 
 namespace trocar::ui {
@@ -23,6 +24,7 @@ class ViewPanel final : public Panel {
   void draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests);
 
   GizmoBar gizmo_bar_;
+  ReviewBar review_bar_;
   GizmoOverlay gizmo_;
   TakeOverlay take_;
   int asked_width_ = 0;

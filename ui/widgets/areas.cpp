@@ -7,11 +7,19 @@ namespace trocar::ui {
 
 bool selectable_row(Ui& ui, std::string_view label, bool selected, std::string_view value,
                     const WidgetOptions& options) {
-  const ColourScope header(ImGuiCol_Header, ui.theme().selection);
-  const ColourScope hovered(ImGuiCol_HeaderHovered, selected ? ui.theme().selection : ui.theme().raised);
+  // In a table the whole row is lit, with the margins of its cells.
+  const bool in_table = ImGui::TableGetColumnCount() > 0;
+  const Rgba clear{0, 0, 0, 0};
+  const Rgba lit = selected ? ui.theme().selection : ui.theme().raised;
+  const ColourScope header(ImGuiCol_Header, in_table ? clear : ui.theme().selection);
+  const ColourScope hovered(ImGuiCol_HeaderHovered, in_table ? clear : lit);
+  const ColourScope held(ImGuiCol_HeaderActive, in_table ? clear : ui.theme().selection);
   const bool clicked = ImGui::Selectable(("##" + std::string(label)).c_str(), selected,
                                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap,
                                          {0.0F, options.height});
+  if (in_table && (selected || ImGui::IsItemHovered())) {
+    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, to_u32(lit));
+  }
   note_item(ui, "row", label, value.empty() ? (selected ? "selected" : "") : value, options);
   return clicked;
 }

@@ -49,9 +49,11 @@ bool draw_button(Ui& ui, std::string_view label, const std::string& words, const
 }
 
 std::string words_of(std::string_view label, const WidgetOptions& options) {
-  if (options.icon == nullptr) return std::string(label);
-  if (options.icon_only) return options.icon;
-  return std::string(options.icon) + "  " + std::string(label);
+  if (options.icon != nullptr && options.icon_only) return options.icon;
+  std::string words = options.icon == nullptr ? std::string() : std::string(options.icon) + "  ";
+  words += label;
+  if (options.says_keys && !options.shortcut.empty()) words += "   " + std::string(options.shortcut);
+  return words;
 }
 
 void note_fit(Ui& ui, const std::string& words, float padding) {

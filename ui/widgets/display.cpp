@@ -171,9 +171,10 @@ void centred_line(Ui& ui, ImFont* font, std::string_view words, Rgba colour, flo
 
 }  // namespace
 
-float button_width(const Ui& ui, std::string_view label, const char* icon) {
+float button_width(const Ui& ui, std::string_view label, const char* icon, std::string_view keys) {
   std::string words(label);
   if (icon != nullptr) words = std::string(icon) + "  " + words;
+  if (!keys.empty()) words += "   " + std::string(keys);
   return std::ceil(ImGui::CalcTextSize(words.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x) + ui.px(4);
 }
 

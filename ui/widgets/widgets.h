@@ -20,6 +20,7 @@ enum class ButtonStyle { kNormal, kPrimary, kQuiet, kDanger };
 struct WidgetOptions {
   const char* icon = nullptr;
   bool icon_only = false;  ///< The label is only its name.
+  bool says_keys = false;  ///< The shortcut stands behind the label, too.
   std::string_view help = {};
   std::string_view shortcut = {};
   std::string_view reason = {};
@@ -78,8 +79,8 @@ class UniqueNames {
 
 /// Puts the next widget, `width` pixels wide, beside the last one if there is room, else below.
 void flow(float width, float spacing);
-/// What a button with these words needs; `icon` may be null.
-float button_width(const Ui& ui, std::string_view label, const char* icon);
+/// What a button with these words needs; `icon` may be null. `keys`: of one that says them.
+float button_width(const Ui& ui, std::string_view label, const char* icon, std::string_view keys = {});
 
 /// A thin bar for a share, drawn in place, no item of its own.
 void share_bar(Ui& ui, double share, Rgba colour, ImVec2 size);
