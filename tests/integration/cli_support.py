@@ -7,7 +7,7 @@ import subprocess
 import tempfile
 import unittest
 
-TROCAR = os.environ.get("TROCAR", "build/release/bin/trocar")
+TROCAR = os.path.abspath(os.environ.get("TROCAR", "build/release/bin/trocar"))
 DONE, CHECK_FAILED, USAGE, WORLD = 0, 1, 2, 3
 
 

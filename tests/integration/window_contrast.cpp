@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
-#include "tests/support/ui_state.h"
+#include "tests/support/ui_take.h"
 #include "ui/driver/driver.h"
 #include "ui/session.h"
 #include "ui/window/osmesa_window.h"
@@ -60,35 +63,92 @@ bool is_label(const Item& item) {
   return item.enabled && whole && item.reachable() && !(item.role == "field" && item.value.empty());
 }
 
-}  // namespace
-
-TEST_CASE("every label that can be used has a contrast of at least 4.5 to 1 in every theme") {
-  const workbench::WorkbenchState state = testing::made_state_with_model();
-  for (const ThemeKind theme : kThemeKinds) {
-    auto window = OsmesaWindow::create({2400, 1500});
-    REQUIRE(window);
+/// A window of 2400 by 1500 pixels at 200 % on a state.
+struct Glass {
+  Glass(workbench::WorkbenchState shown, ThemeKind theme) : state(std::move(shown)) {
+    window = std::move(OsmesaWindow::create({2400, 1500}).value());
     Settings settings;
     settings.scale = kScale;
     settings.theme = theme;
-    const auto session = Session::create(**window, settings).value();
-    Driver driver(*session, [&]() -> Status {
-      (*window)->poll(0.0);
+    session = Session::create(*window, settings).value();
+    driver.emplace(*session, [this]() -> Status {
+      window->poll(0.0);
       TROCAR_ASSIGN_OR_RETURN([[maybe_unused]] const ShellResult result, session->frame(state));
       return {};
     });
+    REQUIRE(driver->frames(4));
+  }
+
+  /// Of the items that are at or below `within` ("": all); returns how many.
+  int check(std::string_view within) {
+    REQUIRE(driver->frames(4));
+    const Image image = session->window().capture().value();
+    int labels = 0;
+    for (const Item& item : session->items().items()) {
+      if (!is_label(item) || !item.path.starts_with(within)) continue;
+      ++labels;
+      CAPTURE(item.path);
+      CHECK(contrast_within(image, item.rect) >= kLeastContrast);
+    }
+    return labels;
+  }
+
+  workbench::WorkbenchState state;
+  std::unique_ptr<OsmesaWindow> window;
+  std::unique_ptr<Session> session;
+  std::optional<Driver> driver;
+};
+
+}  // namespace
+
+TEST_CASE("every label that can be used has a contrast of at least 4.5 to 1 in every theme") {
+  for (const ThemeKind theme : kThemeKinds) {
+    CAPTURE(name_of(theme));
+    Glass glass(testing::made_state_with_model(), theme);
     int labels = 0;
     for (const char* keys : {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4"}) {
-      REQUIRE(driver.key(keys));
-      REQUIRE(driver.frames(4));
-      const Image image = session->window().capture().value();
-      for (const Item& item : session->items().items()) {
-        if (!is_label(item)) continue;
-        ++labels;
-        CAPTURE(name_of(theme));
-        CAPTURE(item.path);
-        CHECK(contrast_within(image, item.rect) >= kLeastContrast);
-      }
+      CAPTURE(keys);
+      REQUIRE(glass.driver->key(keys));
+      labels += glass.check("");
     }
     CHECK(labels > 150);
+  }
+}
+
+TEST_CASE("so has every label of forms, palette, help and the shortcut sheet") {
+  struct Opened {
+    const char* keys;
+    const char* within;
+    int least;
+  };
+  for (const ThemeKind theme : kThemeKinds) {
+    CAPTURE(name_of(theme));
+    for (const Opened& form : {Opened{"Shift+R", "Record/", 10}, Opened{"Ctrl+P", "Palette/", 5},
+                               Opened{"Shift+/", "Keyboard shortcuts/", 20}, Opened{"Ctrl+O", "Open project/", 3},
+                               Opened{"Ctrl+I", "Import/", 3}, Opened{"Ctrl+E", "Export video/", 5},
+                               Opened{"Ctrl+Alt+E", "Export demonstrations/", 4}}) {
+      CAPTURE(form.keys);
+      Glass glass(testing::made_state_with_model(), theme);
+      REQUIRE(glass.driver->key(form.keys));
+      CHECK(glass.check(form.within) >= form.least);
+    }
+  }
+}
+
+TEST_CASE("so has every label while a take is counted in, recorded and judged, and while an edit is made") {
+  for (const ThemeKind theme : kThemeKinds) {
+    CAPTURE(name_of(theme));
+    for (const auto& state :
+         {testing::take_state(trial::Phase::kCountdown), testing::take_state(), testing::verdict_state()}) {
+      Glass glass(state, theme);
+      REQUIRE(glass.driver->key("Ctrl+2"));
+      CHECK(glass.check("") > 20);
+    }
+    Glass glass(testing::made_state(), theme);
+    REQUIRE(glass.driver->key("Ctrl+2"));
+    REQUIRE(glass.driver->frames(3));
+    REQUIRE(glass.driver->click("Tabs/Edits"));
+    REQUIRE(glass.driver->click("Edits/Add edit…"));
+    CHECK(glass.check("Edits/") > 5);
   }
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/support/ui_desk.h"
+#include "tests/support/ui_take.h"
 #include "ui/widgets/lint.h"
 
 namespace trocar::ui {
@@ -12,28 +13,8 @@ namespace {
 using trial::HandEvent;
 using workbench::HandInput;
 
-workbench::WorkbenchState take_state(trial::Phase phase = trial::Phase::kRecording) {
-  workbench::WorkbenchState state = testing::made_state();
-  state.live.emplace().elapsed_s = 12.4;
-  state.live->samples = 2480;
-  state.live->rate_hz = 200.0;
-  state.live->status.phase = phase;
-  state.live->status.countdown_s = 2.4;
-  for (const auto side : kinematics::kArmSides) {
-    state.live->world.arms[kinematics::index_of(side)].X_WT = kinematics::ready_pose(side);
-  }
-  state.take.emplace().name = "By hand 1";
-  state.take->request.options.sources = {trial::ArmSource::kHand, trial::ArmSource::kHand};
-  state.camera_preset = scene::CameraPreset::kPaper;
-  return state;
-}
-
-workbench::WorkbenchState verdict_state() {
-  workbench::WorkbenchState state = take_state();
-  state.take->reviewing = true;
-  state.take->summary = "12.4 s, 2480 samples: unfinished; left arm out of reach in 3 samples";
-  return state;
-}
+using testing::take_state;
+using testing::verdict_state;
 
 /// All that the operator did, in order.
 std::vector<HandEvent> events_of(const Desk& desk) {
@@ -171,8 +152,8 @@ TEST_CASE("what goes on is said: the time, the samples, the rate, the drops, and
   workbench::WorkbenchState state = take_state();
   state.live->status.arms[0].refusal = "insertion is 3.2 mm beyond its limit";
   Desk desk(state);
-  CHECK(text_of(desk.driver().expect_contains("View/REC", "REC  00:12.4  |  2,480 samples  |  200.0 Hz  |  0 drops")) ==
-        "");
+  CHECK(text_of(desk.driver().expect_contains(
+            "View/REC", "REC  00:12.4  |  2,480 samples  |  200.0 Hz  |  0 drops  |  disk 41 GB")) == "");
   CHECK(text_of(desk.driver().expect_contains("View/Left arm", "insertion is 3.2 mm beyond")) == "");
   Desk counting(take_state(trial::Phase::kCountdown));
   CHECK(text_of(counting.driver().expect_value("View/Countdown", "Recording begins in 3")) == "");
