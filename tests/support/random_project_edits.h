@@ -41,6 +41,11 @@ inline demonstration::Edit random_edit_of(Random& random, const workbench::Proje
     splice->as_of = random.below(2) == 0 ? 0 : earlier;
     splice->clip_to_s = std::min(splice->clip_to_s, splice->clip_from_s + 0.25);
   }
+  if (auto* overdub = std::get_if<demonstration::Overdub>(&edit)) {
+    overdub->source = one_of(random, project.demonstrations).value;
+    overdub->as_of = random.below(2) == 0 ? 0 : earlier;
+    overdub->clip_to_s = std::min(overdub->clip_to_s, overdub->clip_from_s + 0.25);
+  }
   const auto& notes = project.demonstrations.at(id)->notes;
   if (auto* removal = std::get_if<demonstration::RemoveNote>(&edit); removal != nullptr && !notes.empty()) {
     removal->note = notes[random.below(static_cast<std::uint32_t>(notes.size()))].id;

@@ -27,12 +27,15 @@ demonstration::Splice splice(DemonstrationId source, std::int64_t as_of, double 
   return {source.value, from_s, from_s + 0.25, 0.1, 0.0, demonstration::Align::kMeet, as_of, nullptr};
 }
 
-/// The tools rest for 0.5 s at first; then the left one holds the block, both do, and the right one.
+/// The tools rest for 0.5 s at first; then the left one closes and holds the block, both do, and the right one.
 demonstration::Recording resting_and_grasping(int count) {
   demonstration::Recording recording = moving_recording(count);
   for (int i = 0; i < count; ++i) {
     demonstration::Sample& sample = recording.samples[static_cast<std::size_t>(i)];
     if (i < 100) sample.arms = recording.samples[100].arms;
+    demonstration::ArmSample& left = sample.arms[0];
+    left.setpoint_jaw_rad = i < 110 || i >= 175 ? 0.6 : 0.02;
+    left.jaw_rad = static_cast<float>(left.setpoint_jaw_rad);
     sample.blocks[0].p = {0.0F, 0.0F, i < 130 ? 0.0F : 0.01F};
     if (i >= 120 && i < 170) sample.flags |= demonstration::kLeftHolds;
     if (i >= 160) sample.flags |= demonstration::kRightHolds;
