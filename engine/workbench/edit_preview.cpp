@@ -17,6 +17,8 @@ Result<demonstration::Demonstration> edited(const PreviewRequest& request) {
 std::shared_ptr<const EditPreview> preview_of(const PreviewRequest& request) {
   if (!request.before) return nullptr;
   auto preview = std::make_shared<EditPreview>();
+  preview->edit = request.edit;
+  preview->entry = request.entry;
   preview->before = request.before;
   if (!request.problem.empty()) {
     preview->error = request.problem;

@@ -122,7 +122,7 @@ Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome) {
   return theme.text_dim;
 }
 
-std::string outcome_words(const demonstration::Recording& recording) {
+std::string outcome_words(const demonstration::RecordingInfo& recording) {
   if (recording.outcome == demonstration::Outcome::kSuccess) return recording.placed ? "placed" : "success";
   return std::string(demonstration::to_string(recording.outcome));
 }

@@ -29,7 +29,7 @@ void segment_chips(Ui& ui, const demonstration::Demonstration& shown, float size
 
 Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome);
 /// "placed", "dropped" …: the outcome in one word; its sign makes it more than a colour.
-std::string outcome_words(const demonstration::Recording& recording);
+std::string outcome_words(const demonstration::RecordingInfo& recording);
 const char* outcome_sign(demonstration::Outcome outcome);
 
 /// Each with a sign in front, wrapped.

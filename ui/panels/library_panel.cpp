@@ -23,7 +23,7 @@ void right_aligned(std::string_view words, float right) {
 }
 
 // Its sign alone, with the word as tooltip, where there is no room for both.
-void draw_outcome(Ui& ui, const demonstration::Recording& recording, float room) {
+void draw_outcome(Ui& ui, const demonstration::RecordingInfo& recording, float room) {
   const char* sign = outcome_sign(recording.outcome);
   const std::string words = outcome_words(recording);
   const Rgba colour = outcome_colour(ui.theme(), recording.outcome);

@@ -111,6 +111,7 @@ void TimelinePanel::draw_lane_area(Ui& ui, const WorkbenchState& state, const de
   now.gate_in_s = mouse_.gate_in_s(shown);
   now.gate_out_s = mouse_.gate_out_s(shown);
   data_.update(shown, range_, std::max(static_cast<int>(now.lanes.width() / 2.0F), 1));
+  if (data_.pending()) ui.animate();
   ImGui::PushClipRect({now.names.x0, now.ruler.y0}, {item_rect().x1, item_rect().y1}, true);
   draw_ruler(ui, now);
   // Also while they are worked out anew: most of them stay. While an edit is made, those of what it would leave.

@@ -138,7 +138,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit)
   for (const std::size_t arm : arms) lines.push_back(line_of(from, to, arm, edit));
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t length, length_of(edit, lines, to.tick - from.tick));
   // What the arm that is not bridged does goes on, stretched if need be.
-  const std::vector<Sample> before = document.samples.slice(first, last + 1 - first).to_vector();
+  const SampleTrack before = document.samples.slice(first, last + 1 - first);
   TrackReader reader(before);
   std::vector<Sample> made;
   for (std::int64_t tick = kTicksPerSample; tick < length; tick += kTicksPerSample) {
@@ -150,8 +150,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit)
     sample.tick = from.tick + tick;
     made.push_back(sample);
   }
-  return with_other_length(document, first + 1, last - first - 1, SampleTrack(std::move(made)),
-                           length - (to.tick - from.tick));
+  return with_other_length(document, first + 1, last - first - 1, SampleTrack(made), length - (to.tick - from.tick));
 }
 
 }  // namespace trocar::demonstration

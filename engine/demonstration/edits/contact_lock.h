@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "engine/demonstration/recording.h"
+#include "engine/demonstration/sample_track.h"
 
 namespace trocar::demonstration {
 
 class ContactLock {
  public:
   /// `contacts` false: only the ends are held. Samples by increasing tick.
-  explicit ContactLock(const std::vector<Sample>& samples, bool contacts = true);
+  explicit ContactLock(const SampleTrack& samples, bool contacts = true);
   /// 0 where nothing may move, 1 where all may, smooth in between. Precondition: `i` is the index of a sample.
   double freedom(std::size_t i) const { return freedom_[i]; }
 

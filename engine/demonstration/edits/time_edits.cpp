@@ -23,12 +23,12 @@ double step_m(const Sample& a, const Sample& b) {
 }
 
 /// The new durations between neighbours, in ticks and not whole.
-Result<std::vector<double>> new_steps(const std::vector<Sample>& samples, const Retime& edit) {
+Result<std::vector<double>> new_steps(const SampleTrack& samples, const Retime& edit) {
   std::vector<double> steps;
   double old_total = 0.0;
   double path_m = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    steps.push_back(static_cast<double>(samples[i].tick - samples[i - 1].tick));
+    steps.push_back(static_cast<double>(samples.tick(i) - samples.tick(i - 1)));
     old_total += steps.back();
     path_m += step_m(samples[i - 1], samples[i]);
   }
@@ -60,8 +60,8 @@ Result<std::vector<double>> new_steps(const std::vector<Sample>& samples, const 
 }
 
 /// The samples again, on an even grid of ticks, where sample i of `samples` comes at `ticks[i]` from the first.
-std::vector<Sample> on_grid(const std::vector<Sample>& samples, const std::vector<double>& ticks, std::int64_t step) {
-  std::vector<Sample> result;
+SampleTrack on_grid(const SampleTrack& samples, const std::vector<double>& ticks, std::int64_t step) {
+  BlockBuilder result;
   TrackReader reader(samples);
   std::size_t piece = 0;
   for (std::int64_t tick = 0; static_cast<double>(tick) <= ticks.back(); tick += step) {
@@ -69,12 +69,12 @@ std::vector<Sample> on_grid(const std::vector<Sample>& samples, const std::vecto
     while (piece + 2 < ticks.size() && ticks[piece + 1] <= wanted) ++piece;
     const double length = ticks[piece + 1] - ticks[piece];
     const double share = length > 0.0 ? std::clamp((wanted - ticks[piece]) / length, 0.0, 1.0) : 0.0;
-    const auto from = static_cast<double>(samples[piece].tick);
-    Sample sample = reader.at(from + share * static_cast<double>(samples[piece + 1].tick - samples[piece].tick));
-    sample.tick = samples.front().tick + tick;
-    result.push_back(sample);
+    const auto from = static_cast<double>(samples.tick(piece));
+    Sample sample = reader.at(from + share * static_cast<double>(samples.tick(piece + 1) - samples.tick(piece)));
+    sample.tick = samples.tick(0) + tick;
+    result.add(sample);
   }
-  return result;
+  return SampleTrack(result.take());
 }
 
 }  // namespace
@@ -91,20 +91,22 @@ Result<Demonstration> made_by(const Demonstration& document, const Resample& edi
   if (document.full_duration_s() * edit.rate_hz > kMostSamples) {
     return fail(ErrorCode::kInvalidArgument, "that would make more than ten million samples");
   }
-  const std::vector<Sample> samples = document.samples.to_vector();
+  const SampleTrack& samples = document.samples;
   std::vector<double> ticks;
   ticks.reserve(samples.size());
-  for (const Sample& sample : samples) ticks.push_back(static_cast<double>(sample.tick - samples.front().tick));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    ticks.push_back(static_cast<double>(samples.tick(i) - samples.tick(0)));
+  }
   Demonstration edited = document;
-  edited.samples = SampleTrack(on_grid(samples, ticks, std::llround(step)));
+  edited.samples = on_grid(samples, ticks, std::llround(step));
   edited.end_s = std::min(edited.end_s, edited.full_duration_s());
   if (edited.samples.size() >= 2 && edited.gated().size() >= 2) return edited;
   return fail(ErrorCode::kInvalidArgument, "fewer than 2 samples would stay");
 }
 
 Result<Demonstration> made_by(const Demonstration& document, const Retime& edit) {
-  TROCAR_ASSIGN_OR_RETURN(Stretch stretch, stretch_of(document, edit.from_s, edit.to_s, 2));
-  const std::vector<Sample>& samples = stretch.samples;
+  TROCAR_ASSIGN_OR_RETURN(const TrackPart part, part_of(document, edit.from_s, edit.to_s, 2));
+  const SampleTrack& samples = part.samples;
   TROCAR_ASSIGN_OR_RETURN(const std::vector<double> steps, new_steps(samples, edit));
   std::vector<double> ticks{0.0};
   for (const double step : steps) ticks.push_back(ticks.back() + step);
@@ -118,8 +120,8 @@ Result<Demonstration> made_by(const Demonstration& document, const Retime& edit)
   const double fit = static_cast<double>(length) / ticks.back();
   for (double& tick : ticks) tick *= fit;
   ticks.back() = static_cast<double>(length);
-  const std::int64_t shift = length - (samples.back().tick - samples.front().tick);
-  return with_other_length(document, stretch.first, samples.size(), SampleTrack(on_grid(samples, ticks, kStep)), shift);
+  const std::int64_t shift = length - (samples.tick(samples.size() - 1) - samples.tick(0));
+  return with_other_length(document, part.first, samples.size(), on_grid(samples, ticks, kStep), shift);
 }
 
 }  // namespace trocar::demonstration
