@@ -210,7 +210,7 @@ TEST_CASE("files are written whole, read back, and named in errors") {
 
 TEST_CASE("a file of several pieces reads as its bytes do at once, and names the row that is wrong in a later piece") {
   const testing::ScratchFolder folder;
-  const Demonstration document = odd_demonstration(9000);
+  const Demonstration document = odd_demonstration(11000);
   const std::string csv = to_csv(document);
   const std::string npy = to_npy(document);
   REQUIRE(csv.size() > std::size_t{1} << 23U);
@@ -228,7 +228,7 @@ TEST_CASE("a file of several pieces reads as its bytes do at once, and names the
   std::string wrong = csv;
   wrong[csv.rfind('\n', csv.size() - 2) + 1] = 'x';
   REQUIRE(write_file(folder / "c.csv", wrong));
-  CHECK(read_csv(folder / "c.csv").error().text().starts_with("line 9001: t_s must be a number"));
+  CHECK(read_csv(folder / "c.csv").error().text().starts_with("line 11001: t_s must be a number"));
   REQUIRE(write_file(folder / "c.npy", npy.substr(0, npy.size() - 8)));
   CHECK(read_npy(folder / "c.npy").error().text().find("do not fit") != std::string::npos);
 }

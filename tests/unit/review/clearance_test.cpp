@@ -4,6 +4,7 @@
 
 #include "engine/core/random.h"
 #include "engine/demonstration/edits.h"
+#include "engine/review/sweep.h"
 #include "engine/simulation/gripper.h"
 #include "engine/simulation/physics.h"
 #include "tests/support/document_samples.h"
