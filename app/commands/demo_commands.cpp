@@ -63,7 +63,7 @@ Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
 }  // namespace
 
 Json demonstration_json(const demonstration::Demonstration& document) {
-  const demonstration::Recording& recording = *document.recording;
+  const demonstration::RecordingInfo& recording = *document.recording;
   const std::size_t samples = document.gated().size();
   const double duration_s = document.duration_s();
   Json segments = Json::array();

@@ -212,7 +212,7 @@ Result<Answer> run_replay(const ReplayArguments& arguments, Console& console) {
                           open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const trial::ReplayResult result,
-                          trial::replay(*demonstration->recording, console.progress()));
+                          trial::replay(*demonstration->recording, demonstration->recorded, console.progress()));
   if (arguments.verify) keep_found(arguments.project, demonstration->recording->id, result, console);
   Answer answer;
   answer.json = {{"id", demonstration->id.value},

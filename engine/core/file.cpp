@@ -37,8 +37,25 @@ Status write_all(int fd, std::string_view bytes) {
     if (n <= 0) return fail(ErrorCode::kIo, "could not write the file (" + reason() + ")");
     bytes.remove_prefix(static_cast<std::size_t>(n));
   }
+  return {};
+}
+
+Status sync(int fd) {
   if (::fsync(fd) != 0 && errno != EINVAL) return fail(ErrorCode::kIo, "could not write the file (" + reason() + ")");
   return {};
+}
+
+/// Fills `buffer` as far as the file goes; the number of bytes, or -1 with `errno`.
+ssize_t read_full(int fd, std::string& buffer) {
+  std::size_t filled = 0;
+  while (filled < buffer.size()) {
+    const ssize_t n = ::read(fd, buffer.data() + filled, buffer.size() - filled);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return n;
+    if (n == 0) break;
+    filled += static_cast<std::size_t>(n);
+  }
+  return static_cast<ssize_t>(filled);
 }
 
 }  // namespace
@@ -86,20 +103,46 @@ Result<std::filesystem::path> replaceable_file(const std::filesystem::path& path
 }
 
 Status write_file(const std::filesystem::path& path, std::string_view bytes) {
+  return write_file(path, [bytes](const TakeBytes& take) { return take(bytes); }, {});
+}
+
+Status write_file(const std::filesystem::path& path, const std::function<Status(const TakeBytes&)>& make,
+                  const std::function<Status(const std::filesystem::path&)>& check) {
   TROCAR_ASSIGN_OR_RETURN(const std::filesystem::path target, replaceable_file(path));
   const std::filesystem::path temporary = temporary_beside(target);
   Status status;
   {
     const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    status = file.get() < 0 ? Status(fail(ErrorCode::kIo, "could not create the file (" + reason() + ")"))
-                            : write_all(file.get(), bytes);
+    if (file.get() < 0) {
+      status = fail(ErrorCode::kIo, "could not create the file (" + reason() + ")");
+    } else {
+      status = make([&file](std::string_view bytes) { return write_all(file.get(), bytes); });
+      if (status) status = sync(file.get());
+    }
   }
+  if (status && check) status = check(temporary);
   if (status && ::rename(temporary.c_str(), target.c_str()) != 0) {
     status = fail(ErrorCode::kIo, "could not put the file in place (" + reason() + ")");
   }
   if (status) return status;
   ::unlink(temporary.c_str());
   return tl::unexpected(std::move(status).error().at(path.string()));
+}
+
+Status read_pieces(const std::filesystem::path& path, std::size_t piece_bytes, const TakeBytes& take) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) {
+    return tl::unexpected(Error(ErrorCode::kIo, "could not open the file (" + reason() + ")").at(path.string()));
+  }
+  std::string piece(piece_bytes, '\0');
+  for (;;) {
+    const ssize_t n = read_full(file.get(), piece);
+    if (n < 0) {
+      return tl::unexpected(Error(ErrorCode::kIo, "could not read the file (" + reason() + ")").at(path.string()));
+    }
+    if (n > 0) TROCAR_RETURN_IF_ERROR(take(std::string_view(piece).substr(0, static_cast<std::size_t>(n))));
+    if (static_cast<std::size_t>(n) < piece.size()) return {};
+  }
 }
 
 std::filesystem::path temporary_beside(const std::filesystem::path& path) {

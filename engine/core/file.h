@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,16 @@ Result<std::filesystem::path> replaceable_file(const std::filesystem::path& path
 /// Writes beside `replaceable_file(path)`, syncs and renames.
 /// Errors: those of `replaceable_file`; kIo (folder missing, no permission, disk full). Nothing is left then.
 Status write_file(const std::filesystem::path& path, std::string_view bytes);
+
+using TakeBytes = std::function<Status(std::string_view)>;
+/// Likewise for what is large: `make` hands it over piece by piece, in order; `check` may read it under the name that
+/// it is given before it is put in place. Errors: those of both, too.
+Status write_file(const std::filesystem::path& path, const std::function<Status(const TakeBytes&)>& make,
+                  const std::function<Status(const std::filesystem::path&)>& check);
+
+/// Hands over a file piece by piece, each of up to `piece_bytes` and all but the last of them whole.
+/// Errors: kIo as of `read_file`; those of `take`, which end the reading.
+Status read_pieces(const std::filesystem::path& path, std::size_t piece_bytes, const TakeBytes& take);
 
 /// A name beside `path` for a file that is renamed to it when complete; keeps the extension, which writers go by.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);

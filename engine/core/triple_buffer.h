@@ -27,6 +27,13 @@ class TripleBuffer {
     return true;
   }
 
+  /// As `update()`; what was in front before is let go of, not kept until it is written over.
+  bool replace() {
+    if ((shared_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
+    slots_[reader_slot_] = T{};
+    return update();
+  }
+
   const T& front() const { return slots_[reader_slot_]; }
 
  private:

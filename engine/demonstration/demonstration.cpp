@@ -31,7 +31,7 @@ std::vector<SegmentSpan> recorded_spans(const Demonstration& document) {
 }  // namespace
 
 double Demonstration::time_of(const Sample& sample) const {
-  return Tick{sample.tick - recording->samples.front().tick}.seconds();
+  return Tick{sample.tick - first_tick()}.seconds();
 }
 
 double Demonstration::full_duration_s() const {
@@ -39,7 +39,7 @@ double Demonstration::full_duration_s() const {
 }
 
 std::int64_t Demonstration::first_tick() const {
-  return recording->samples.front().tick;
+  return recorded.tick(0);
 }
 
 std::int64_t Demonstration::tick_from(double t_s) const {
@@ -109,19 +109,24 @@ Demonstration original_of(const Demonstration& document) {
   return original;
 }
 
+Demonstration make_demonstration(DemonstrationId id, std::string name, std::shared_ptr<const RecordingInfo> recording,
+                                 SampleTrack recorded) {
+  Demonstration document;
+  document.id = id;
+  document.name = std::move(name);
+  document.recorded = std::move(recorded);
+  document.recording = std::move(recording);
+  return original_of(document);
+}
+
 Result<Demonstration> make_demonstration(DemonstrationId id, std::string name,
                                          std::shared_ptr<const Recording> recording) {
   if (recording == nullptr || recording->samples.size() < 2) {
     return fail(ErrorCode::kInvalidArgument, "a demonstration needs at least 2 samples");
   }
   TROCAR_RETURN_IF_ERROR(check_samples(recording->samples));
-  Demonstration document;
-  document.id = id;
-  document.name = std::move(name);
-  document.recorded = SampleTrack(
-      std::make_shared<const SampleBlock>(std::shared_ptr<const std::vector<Sample>>(recording, &recording->samples)));
-  document.recording = std::move(recording);
-  return original_of(document);
+  return make_demonstration(id, std::move(name), std::make_shared<const RecordingInfo>(*recording),
+                            SampleTrack(recording->samples));
 }
 
 }  // namespace trocar::demonstration

@@ -33,7 +33,7 @@ struct SegmentSpan {
 struct Demonstration {
   DemonstrationId id;
   std::string name;
-  std::shared_ptr<const Recording> recording;
+  std::shared_ptr<const RecordingInfo> recording;
   /// The effective trajectory before gates; shares with the recording what no edit has changed.
   SampleTrack samples;
   SampleTrack recorded;  ///< As it was before all edits.
@@ -77,6 +77,11 @@ struct Demonstration {
 
 /// The demonstration as it was recorded, with its id and name.
 Demonstration original_of(const Demonstration& document);
+
+/// Of what was recorded, segments taken from the samples' own labels. Preconditions: `recorded` has at least 2 samples,
+/// and they passed `check_samples`.
+Demonstration make_demonstration(DemonstrationId id, std::string name, std::shared_ptr<const RecordingInfo> recording,
+                                 SampleTrack recorded);
 
 /// A demonstration of a whole recording, segments taken from the samples' own labels.
 /// Errors: kInvalidArgument if the recording has fewer than 2 samples or one that is not finite or out of order.

@@ -16,4 +16,7 @@ Result<Demonstration> transformed(const Demonstration& document, const Edit& edi
 /// The same, and the edit is the last of the stack if it stacks.
 Result<Demonstration> apply(const Demonstration& document, const Edit& edit, std::int64_t entry = 0);
 
+/// `edited`, which `edit` made of `before`, with the edit as the last of the stack if it stacks.
+Demonstration stacked(const Demonstration& before, Demonstration edited, const Edit& edit, std::int64_t entry);
+
 }  // namespace trocar::demonstration

@@ -21,45 +21,48 @@ double nearest_block_m(const Sample& sample, std::size_t arm) {
   return nearest_m;
 }
 
-void check_closing(const Demonstration& document, std::size_t arm, std::vector<Problem>& found) {
-  bool open = false;
-  for (const Sample& sample : document.gated()) {
-    const double jaw_rad = sample.arms[arm].setpoint_jaw_rad;
-    if (jaw_rad >= kJawOpen_rad) open = true;
-    if (!open || jaw_rad > kJawClosed_rad) continue;
-    open = false;
-    const double distance_m = nearest_block_m(sample, arm);
-    if (distance_m <= kReach_m) continue;
-    const double t_s = document.time_of(sample);
-    found.push_back({ProblemKind::kJaw, Severity::kWarning, t_s, t_s,
-                     fmt::format("the {} gripper closes on nothing, the nearest block is {:.0f} mm away",
-                                 arm == 0 ? "left" : "right", 1e3 * (distance_m - peg_board::kBlockCircumradius_m)),
-                     "", static_cast<int>(arm)});
-  }
-}
-
-void check_hand_off(const Demonstration& document, std::vector<Problem>& found) {
-  double left_until_s = -1.0;
-  bool together = false;
-  for (const Sample& sample : document.gated()) {
-    const bool left = (sample.flags & kLeftHolds) != 0;
-    const bool right = (sample.flags & kRightHolds) != 0;
-    if (left) left_until_s = document.time_of(sample);
-    together = together || (left && right);
-    if (!right || left_until_s < 0.0) continue;
-    if (!together) {
-      found.push_back({ProblemKind::kJaw, Severity::kWarning, left_until_s, document.time_of(sample),
-                       "the block changes hands without a moment in which both arms hold it", ""});
-    }
-    return;
-  }
-}
-
 }  // namespace
 
-void add_jaw_problems(const Demonstration& document, std::vector<Problem>& found) {
-  for (std::size_t arm = 0; arm < 2; ++arm) check_closing(document, arm, found);
-  check_hand_off(document, found);
+void JawChecks::check_closing(const Sample& sample, double t_s, std::size_t arm) {
+  const double jaw_rad = sample.arms[arm].setpoint_jaw_rad;
+  if (jaw_rad >= kJawOpen_rad) open_[arm] = true;
+  if (!open_[arm] || jaw_rad > kJawClosed_rad) return;
+  open_[arm] = false;
+  const double distance_m = nearest_block_m(sample, arm);
+  if (distance_m <= kReach_m) return;
+  closings_[arm].push_back(
+      {ProblemKind::kJaw, Severity::kWarning, t_s, t_s,
+       fmt::format("the {} gripper closes on nothing, the nearest block is {:.0f} mm away", arm == 0 ? "left" : "right",
+                   1e3 * (distance_m - peg_board::kBlockCircumradius_m)),
+       "", static_cast<int>(arm)});
+}
+
+void JawChecks::check_hand_off(const Sample& sample, double t_s) {
+  if (handed_over_) return;
+  const bool left = (sample.flags & kLeftHolds) != 0;
+  const bool right = (sample.flags & kRightHolds) != 0;
+  if (left) left_until_s_ = t_s;
+  together_ = together_ || (left && right);
+  if (!right || left_until_s_ < 0.0) return;
+  if (!together_) {
+    hand_off_ = Problem{ProblemKind::kJaw,
+                        Severity::kWarning,
+                        left_until_s_,
+                        t_s,
+                        "the block changes hands without a moment in which both arms hold it",
+                        ""};
+  }
+  handed_over_ = true;
+}
+
+void JawChecks::add(const Sample& sample, double t_s) {
+  for (std::size_t arm = 0; arm < open_.size(); ++arm) check_closing(sample, t_s, arm);
+  check_hand_off(sample, t_s);
+}
+
+void JawChecks::report(std::vector<Problem>& found) const {
+  for (const std::vector<Problem>& of_arm : closings_) found.insert(found.end(), of_arm.begin(), of_arm.end());
+  if (hand_off_) found.push_back(*hand_off_);
 }
 
 }  // namespace trocar::demonstration

@@ -18,10 +18,11 @@ struct Knot {
 /// Samples at least 20 ms apart.
 std::vector<Knot> knots_of(const SampleTrack& samples, std::int64_t first_tick, std::size_t arm) {
   std::vector<Knot> knots;
-  for (const Sample& sample : samples) {
-    const double t_s = Tick{sample.tick - first_tick}.seconds();
+  const auto begin = samples.begin();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double t_s = Tick{samples.tick(i) - first_tick}.seconds();
     if (!knots.empty() && t_s - knots.back().t_s < kKnotDistance_s - 1e-9) continue;
-    knots.push_back({t_s, measured_tip(sample, arm)});
+    knots.push_back({t_s, measured_tip(begin[static_cast<std::ptrdiff_t>(i)], arm)});
   }
   return knots;
 }
@@ -124,8 +125,11 @@ double motion_gap_s(const SampleTrack& samples) {
 double path_length_m(const Demonstration& document, std::size_t arm) {
   const SampleTrack samples = document.gated();
   double length_m = 0.0;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    length_m += (measured_tip(samples[i], arm) - measured_tip(samples[i - 1], arm)).norm();
+  std::optional<Eigen::Vector3d> before;
+  for (const Sample& sample : samples) {
+    const Eigen::Vector3d p_WT = measured_tip(sample, arm);
+    if (before) length_m += (p_WT - *before).norm();
+    before = p_WT;
   }
   return length_m;
 }

@@ -31,33 +31,36 @@ double distance_from_unit(const std::array<Number, N>& q) {
   return std::abs(std::sqrt(square) - 1.0);
 }
 
-void check_numbers(const Demonstration& document, Problems& found) {
-  SpanCollector not_finite;
-  SpanCollector not_unit;
-  for (const Sample& sample : document.gated()) {
-    const double t_s = document.time_of(sample);
-    if (!is_finite(sample)) {
-      not_finite.add(t_s, 0.0);
-      continue;
-    }
+/// Goes through the gated samples, once.
+class NumberChecks {
+ public:
+  void add(const Sample& sample, double t_s) {
+    if (!is_finite(sample)) return not_finite_.add(t_s, 0.0);
     double worst = 0.0;
     for (const ArmSample& arm : sample.arms) {
       worst = std::max({worst, distance_from_unit(arm.setpoint_q_wxyz), distance_from_unit(arm.measured.q_wxyz)});
     }
     for (const CompactPose& block : sample.blocks) worst = std::max(worst, distance_from_unit(block.q_wxyz));
-    if (worst > kUnitTolerance) not_unit.add(t_s, worst);
+    if (worst > kUnitTolerance) not_unit_.add(t_s, worst);
   }
-  for (const ProblemSpan& span : not_finite.spans()) {
-    found.push_back({ProblemKind::kNotFinite, Severity::kError, span.begin_s, span.end_s,
-                     fmt::format("{} samples have a number that is not finite", span.count), ""});
+  bool finite() const { return not_finite_.spans().empty(); }
+  void report(Problems& found) const {
+    for (const ProblemSpan& span : not_finite_.spans()) {
+      found.push_back({ProblemKind::kNotFinite, Severity::kError, span.begin_s, span.end_s,
+                       fmt::format("{} samples have a number that is not finite", span.count), ""});
+    }
+    for (const ProblemSpan& span : not_unit_.spans()) {
+      found.push_back({ProblemKind::kQuaternion, Severity::kError, span.begin_s, span.end_s,
+                       fmt::format("{} samples have a rotation that is not of unit length, off by up to {:.3g}",
+                                   span.count, span.worst),
+                       ""});
+    }
   }
-  for (const ProblemSpan& span : not_unit.spans()) {
-    found.push_back({ProblemKind::kQuaternion, Severity::kError, span.begin_s, span.end_s,
-                     fmt::format("{} samples have a rotation that is not of unit length, off by up to {:.3g}",
-                                 span.count, span.worst),
-                     ""});
-  }
-}
+
+ private:
+  SpanCollector not_finite_;
+  SpanCollector not_unit_;
+};
 
 void check_time(const Demonstration& document, Problems& found) {
   const SampleTrack samples = document.gated();
@@ -243,17 +246,27 @@ std::string_view to_string(Severity severity) {
 }
 
 Problems problems(const Demonstration& document, const spatial::Grid& grid, const MotionBounds& bounds) {
+  // Together, as a long demonstration costs by how often it is gone through.
+  NumberChecks numbers;
+  SetpointChecks setpoints(bounds);
+  JawChecks jaws;
+  for (const Sample& sample : document.gated()) {
+    const double t_s = document.time_of(sample);
+    numbers.add(sample, t_s);
+    if (!numbers.finite()) continue;
+    setpoints.add(sample, t_s);
+    jaws.add(sample, t_s);
+  }
   Problems found;
-  check_numbers(document, found);
-  const bool finite = found.empty() || found.front().kind != ProblemKind::kNotFinite;
+  numbers.report(found);
   check_time(document, found);
   check_segments(document, found);
-  if (finite) {
+  if (numbers.finite()) {
     check_lattice(document, grid, found);
     check_motion(document, bounds, found);
     check_idle(document, found);
-    add_setpoint_problems(document, bounds, found);
-    add_jaw_problems(document, found);
+    setpoints.report(found);
+    jaws.report(found);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Problem& a, const Problem& b) { return a.begin_s < b.begin_s; });

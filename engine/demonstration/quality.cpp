@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "engine/demonstration/motion.h"
 #include "engine/demonstration/sampling_rate.h"
@@ -22,10 +23,23 @@ double window_of(const Demonstration& document, double wanted_s) {
   return std::max(kSpeedWindow_s, kSteps * Tick{usual_step(document.gated())}.seconds());
 }
 
-bool moves(const Sample& before, const Sample& after, double dt_s, double speed_m_s) {
+/// What of a sample tells whether anything moves.
+struct Instant {
+  double t_s = 0.0;
+  std::array<Eigen::Vector3d, 2> p_WT;
+  std::array<float, 2> jaw_rad{};
+};
+
+Instant instant_of(const Demonstration& document, const Sample& sample) {
+  return {document.time_of(sample),
+          {measured_tip(sample, 0), measured_tip(sample, 1)},
+          {sample.arms[0].jaw_rad, sample.arms[1].jaw_rad}};
+}
+
+bool moves(const Instant& before, const Instant& after, double dt_s, double speed_m_s) {
   for (std::size_t arm = 0; arm < 2; ++arm) {
-    const double distance_m = (measured_tip(after, arm) - measured_tip(before, arm)).norm();
-    const double jaw_rad = std::abs(static_cast<double>(after.arms[arm].jaw_rad - before.arms[arm].jaw_rad));
+    const double distance_m = (after.p_WT[arm] - before.p_WT[arm]).norm();
+    const double jaw_rad = std::abs(static_cast<double>(after.jaw_rad[arm] - before.jaw_rad[arm]));
     if (distance_m >= speed_m_s * dt_s || jaw_rad >= kIdleJaw_rad_s * dt_s) return true;
   }
   return false;
@@ -33,16 +47,22 @@ bool moves(const Sample& before, const Sample& after, double dt_s, double speed_
 
 /// For each gated sample, whether anything moves in the time around it.
 std::vector<bool> moving(const Demonstration& document, double speed_m_s, double window_s) {
-  const std::vector<Sample> samples = document.gated().to_vector();
+  const SampleTrack samples = document.gated();
   std::vector<bool> result(samples.size());
+  // The samples around the one that is asked about, and one that is later than them.
+  std::deque<Instant> around;
   std::size_t first = 0;
-  std::size_t last = 0;
+  auto next = samples.begin();
+  const auto read = [&] { around.push_back(instant_of(document, *next++)); };
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double t_s = document.time_of(samples[i]);
-    while (document.time_of(samples[first]) < t_s - window_s) ++first;
-    while (last + 1 < samples.size() && document.time_of(samples[last + 1]) <= t_s + window_s) ++last;
-    const double dt_s = document.time_of(samples[last]) - document.time_of(samples[first]);
-    result[i] = dt_s > 0.0 && moves(samples[first], samples[last], dt_s, speed_m_s);
+    if (i == first + around.size()) read();
+    const double t_s = around[i - first].t_s;
+    while (next != samples.end() && around.back().t_s <= t_s + window_s) read();
+    for (; around.front().t_s < t_s - window_s; ++first) around.pop_front();
+    const bool later = around.back().t_s > t_s + window_s;
+    const Instant& last = around[around.size() - (later ? 2 : 1)];
+    const double dt_s = last.t_s - around.front().t_s;
+    result[i] = dt_s > 0.0 && moves(around.front(), last, dt_s, speed_m_s);
   }
   return result;
 }

@@ -102,8 +102,8 @@ struct HashMark {
 enum class Outcome : std::uint8_t { kUnfinished, kSuccess, kDropped, kAborted, kFault, kUnknown };
 std::string_view to_string(Outcome outcome);
 
-/// Immutable once finished.
-struct Recording {
+/// All of a recording but its samples: what the document keeps, beside the samples packed.
+struct RecordingInfo {
   RecordingId id;
   Provenance provenance;
   Outcome outcome = Outcome::kUnfinished;
@@ -111,7 +111,11 @@ struct Recording {
   bool recovered = false;        ///< Salvaged after a crash: what was committed until then.
   std::string initial_world;     ///< `simulation::WorldSnapshot::bytes` before the first sample; may be empty.
   std::vector<HashMark> hashes;  ///< Every second, and at the end.
-  std::vector<Sample> samples;   ///< By increasing tick.
+};
+
+/// As it is made and imported. Immutable once finished.
+struct Recording : RecordingInfo {
+  std::vector<Sample> samples;  ///< By increasing tick.
 
   /// Of samples, provenance, initial world and hashes.
   std::uint64_t content_hash() const;

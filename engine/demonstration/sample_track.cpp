@@ -66,24 +66,35 @@ std::uint64_t value_of(const Sample& sample) {
 
 }  // namespace
 
-SampleBlock::SampleBlock(std::shared_ptr<const std::vector<Sample>> samples) : samples_(std::move(samples)) {
-  prefix_.reserve(samples_->size() + 1);
-  prefix_.push_back(0);
-  for (const Sample& sample : *samples_) prefix_.push_back(add(multiply(prefix_.back(), kBase), value_of(sample)));
+SampleBlock::SampleBlock(std::span<const Sample> samples) {
+  prefix_.reserve(samples.size() + 1);
+  for (const Sample& sample : samples) add(sample);
+  finish();
 }
 
-SampleBlock::SampleBlock(std::vector<Sample> samples)
-    : SampleBlock(std::make_shared<const std::vector<Sample>>(std::move(samples))) {}
+void SampleBlock::add(const Sample& sample) {
+  samples_.add(sample);
+  prefix_.push_back(demonstration::add(multiply(prefix_.back(), kBase), value_of(sample)));
+}
+
+void SampleBlock::finish() {
+  samples_.finish();
+  prefix_.shrink_to_fit();
+}
+
+std::shared_ptr<const SampleBlock> BlockBuilder::take() {
+  block_->finish();
+  return std::move(block_);
+}
 
 SampleTrack::SampleTrack(std::shared_ptr<const SampleBlock> block) {
-  const std::size_t count = block->samples().size();
+  const std::size_t count = block->size();
   if (count == 0) return;
   table_ = std::make_shared<const Table>(Table{Piece{std::move(block), 0, count, 0, 0}});
   count_ = count;
 }
 
-SampleTrack::SampleTrack(std::vector<Sample> samples)
-    : SampleTrack(std::make_shared<const SampleBlock>(std::move(samples))) {}
+SampleTrack::SampleTrack(std::span<const Sample> samples) : SampleTrack(std::make_shared<const SampleBlock>(samples)) {}
 
 SampleTrack::SampleTrack(Table table) {
   if (table.empty()) return;
@@ -110,7 +121,7 @@ std::int64_t SampleTrack::tick(std::size_t i) const {
   TROCAR_ASSERT(i < count_);
   const std::size_t at = first_ + i;
   const Piece& piece = (*table_)[piece_of(at, 0)];
-  return piece.block->samples()[piece.first + at - piece.start].tick + piece.shift;
+  return piece.block->tick(piece.first + at - piece.start) + piece.shift;
 }
 
 Sample SampleTrack::Iterator::operator*() const {
@@ -118,7 +129,7 @@ Sample SampleTrack::Iterator::operator*() const {
   const std::size_t at = track_->first_ + index_;
   piece_ = track_->piece_of(at, piece_);
   const Piece& piece = (*track_->table_)[piece_];
-  Sample sample = piece.block->samples()[piece.first + at - piece.start];
+  Sample sample = piece.block->at(piece.first + at - piece.start);
   sample.tick += piece.shift;
   return sample;
 }
@@ -173,8 +184,8 @@ SampleTrack SampleTrack::joined(const std::vector<SampleTrack>& parts) {
   return SampleTrack(std::move(table));
 }
 
-SampleTrack SampleTrack::replaced(std::size_t first, std::size_t count, std::vector<Sample> samples) const {
-  return joined({slice(0, first), SampleTrack(std::move(samples)), slice(first + count, count_)});
+SampleTrack SampleTrack::replaced(std::size_t first, std::size_t count, const SampleTrack& samples) const {
+  return joined({slice(0, first), samples, slice(first + count, count_)});
 }
 
 std::size_t SampleTrack::lower_bound(std::int64_t tick_wanted) const {

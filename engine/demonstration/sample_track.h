@@ -7,25 +7,47 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "engine/demonstration/recording.h"
+#include "engine/demonstration/packed_samples.h"
 
 namespace trocar::demonstration {
 
-/// A run of samples that never changes, with what makes the hash of any part of it cheap.
+/// A run of samples that never changes, packed, with what makes the hash of any part of it cheap.
 class SampleBlock {
  public:
-  explicit SampleBlock(std::shared_ptr<const std::vector<Sample>> samples);
-  explicit SampleBlock(std::vector<Sample> samples);
+  explicit SampleBlock(std::span<const Sample> samples);
 
-  const std::vector<Sample>& samples() const { return *samples_; }
+  std::size_t size() const { return samples_.size(); }
+  Sample at(std::size_t i) const { return samples_.at(i); }
+  std::int64_t tick(std::size_t i) const { return samples_.tick(i); }
   /// The polynomial of the first `count` samples; see `SampleTrack::hash`.
   std::uint64_t prefix(std::size_t count) const { return prefix_[count]; }
+  /// What it takes of memory.
+  std::size_t bytes() const { return samples_.bytes() + prefix_.capacity() * sizeof(std::uint64_t); }
 
  private:
-  std::shared_ptr<const std::vector<Sample>> samples_;
-  std::vector<std::uint64_t> prefix_;  ///< One more than there are samples.
+  friend class BlockBuilder;
+  SampleBlock() = default;
+  void add(const Sample& sample);
+  void finish();
+
+  PackedSamples samples_;
+  std::vector<std::uint64_t> prefix_{0};  ///< One more than there are samples.
+};
+
+/// Makes a block of samples that come one by one, so that they are nowhere together unpacked.
+class BlockBuilder {
+ public:
+  BlockBuilder() : block_(new SampleBlock) {}
+  void add(const Sample& sample) { block_->add(sample); }
+  std::size_t size() const { return block_->size(); }
+  /// Once, at the end.
+  std::shared_ptr<const SampleBlock> take();
+
+ private:
+  std::shared_ptr<SampleBlock> block_;
 };
 
 /// Immutable value; copies and slices share everything. A sample is handed out by value, its tick as the track has it.
@@ -35,7 +57,7 @@ class SampleTrack {
   SampleTrack() = default;
   /// Of whole samples, by increasing tick. Precondition: not null.
   explicit SampleTrack(std::shared_ptr<const SampleBlock> block);
-  explicit SampleTrack(std::vector<Sample> samples);
+  explicit SampleTrack(std::span<const Sample> samples);
 
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
@@ -51,8 +73,8 @@ class SampleTrack {
   SampleTrack shifted(std::int64_t ticks) const;
   /// One after the other; the caller sees to it that ticks increase. Time: by the number of pieces.
   static SampleTrack joined(const std::vector<SampleTrack>& parts);
-  /// `samples` in place of the `count` from `first`. Time: by `samples` and the number of pieces.
-  SampleTrack replaced(std::size_t first, std::size_t count, std::vector<Sample> samples) const;
+  /// `samples` in place of the `count` from `first`. Time: by the number of pieces.
+  SampleTrack replaced(std::size_t first, std::size_t count, const SampleTrack& samples) const;
   /// The index of the first sample at or after `tick`; `size()` if there is none.
   std::size_t lower_bound(std::int64_t tick) const;
 
@@ -62,6 +84,13 @@ class SampleTrack {
   std::vector<Sample> to_vector() const;
   /// True if both show the same samples of the same blocks in the same pieces.
   bool same_pieces(const SampleTrack& other) const;
+
+  /// The blocks that it shows parts of, each at least once.
+  template <typename Visit>
+  void visit_blocks(const Visit& visit) const {
+    if (!table_) return;
+    for (const Piece& piece : *table_) visit(*piece.block);
+  }
 
   class Iterator {
    public:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/check.h"
 #include "engine/exchange/plausible.h"
 
 namespace trocar::exchange {
@@ -128,16 +129,28 @@ const std::vector<Column>& columns() {
 }
 
 std::vector<Sample> table_samples(const demonstration::Demonstration& document) {
-  std::vector<Sample> samples = document.gated().to_vector();
-  const std::int64_t first = document.recording->samples.front().tick;
-  for (Sample& sample : samples) {
+  std::vector<Sample> samples;
+  samples.reserve(document.gated().size());
+  const Status all = visit_table_samples(document, [&samples](const Sample& sample) {
+    samples.push_back(sample);
+    return Status();
+  });
+  TROCAR_CHECK(all.has_value());
+  return samples;
+}
+
+Status visit_table_samples(const demonstration::Demonstration& document,
+                           const std::function<Status(const Sample&)>& take) {
+  const std::int64_t first = document.first_tick();
+  auto span = document.segments.begin();
+  for (Sample sample : document.gated()) {
     sample.tick -= first;
     const double t_s = sample.t_s();
-    for (const demonstration::SegmentSpan& span : document.segments) {
-      if (t_s >= span.begin_s && t_s < span.end_s) sample.segment = span.label;
-    }
+    while (span != document.segments.end() && t_s >= span->end_s) ++span;
+    if (span != document.segments.end() && t_s >= span->begin_s) sample.segment = span->label;
+    TROCAR_RETURN_IF_ERROR(take(sample));
   }
-  return samples;
+  return {};
 }
 
 Status sample_from_row(const std::vector<const Column*>& order, const std::vector<double>& values, Sample& sample) {
@@ -188,7 +201,7 @@ std::vector<std::string> kept_by_export() {
 
 std::vector<std::string> lost_by_export(const demonstration::Demonstration& document) {
   std::vector<std::string> lossy{"who recorded it and how (provenance)", "its block, goal and outcome"};
-  const demonstration::Recording& recording = *document.recording;
+  const demonstration::RecordingInfo& recording = *document.recording;
   if (!recording.initial_world.empty()) lossy.emplace_back("the simulated world before the first sample");
   if (!recording.hashes.empty()) lossy.emplace_back("the state hashes that a replay is checked against");
   if (document.gated().size() < document.samples.size()) lossy.emplace_back("the samples outside of the gates");

@@ -27,6 +27,9 @@ const std::vector<Column>& columns();
 
 /// The gated samples as they are to be written: labels as edited, time counted from the recording's first sample.
 std::vector<demonstration::Sample> table_samples(const demonstration::Demonstration& document);
+/// The same one by one, for who does not need them all at once. Errors: those of `take`, which end it.
+Status visit_table_samples(const demonstration::Demonstration& document,
+                           const std::function<Status(const demonstration::Sample&)>& take);
 
 /// Sets `sample` from one row, columns by their place in `columns()`. What has no column follows the setpoint, or
 /// stays as it is by default.

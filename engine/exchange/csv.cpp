@@ -5,6 +5,8 @@
 #include <charconv>
 #include <optional>
 
+#include "engine/core/check.h"
+#include "engine/core/file.h"
 #include "engine/exchange/columns.h"
 #include "engine/exchange/row_reader.h"
 #include "engine/exchange/text_lines.h"
@@ -49,39 +51,103 @@ Status parse_row(std::string_view line, const std::vector<const Column*>& order,
   return {};
 }
 
+/// Takes a text in pieces.
+class CsvReader {
+ public:
+  Status add(std::string_view piece) {
+    if (rest_.empty()) return take(piece);
+    // A line that began in the piece before.
+    const std::size_t end = piece.find('\n');
+    rest_ += piece.substr(0, end == std::string_view::npos ? end : end + 1);
+    if (end == std::string_view::npos) return {};
+    const std::string line = std::move(rest_);
+    rest_.clear();
+    TROCAR_RETURN_IF_ERROR(take(line));
+    return take(piece.substr(end + 1));
+  }
+
+  Result<Imported> finish() {
+    if (!rest_.empty()) {
+      std::string_view last = rest_;
+      TROCAR_RETURN_IF_ERROR(add_line(take_line(last)));
+    }
+    if (!reader_) return fail(ErrorCode::kCorrupt, "the file is empty");
+    return reader_->finish();
+  }
+
+ private:
+  /// Whole lines; what is left waits for its end.
+  Status take(std::string_view text) {
+    while (text.find('\n') != std::string_view::npos) TROCAR_RETURN_IF_ERROR(add_line(take_line(text)));
+    rest_ = std::string(text);
+    return {};
+  }
+
+  Status add_line(std::string_view line) {
+    ++number_;
+    if (!reader_) return begin(line);
+    if (line.empty()) return {};
+    Status read = parse_row(line, order_, values_);
+    if (read) read = reader_->add(values_);
+    return read ? Status() : Status(wrong_line(number_, read.error().text()));
+  }
+
+  Status begin(std::string_view line) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
+    Result<std::vector<const Column*>> order = columns_named(split(line));
+    if (!order) return wrong_line(1, order.error().text());
+    order_ = *order;
+    values_.resize(order_.size());
+    reader_.emplace(std::move(*order));
+    return {};
+  }
+
+  std::vector<const Column*> order_;
+  std::vector<double> values_;
+  std::optional<RowReader> reader_;  ///< From the second line on.
+  std::string rest_;                 ///< Of a line that goes on in the next piece.
+  std::size_t number_ = 0;
+};
+
 }  // namespace
 
-std::string to_csv(const demonstration::Demonstration& document) {
+std::string csv_head() {
   std::string text;
   for (const Column& column : columns()) {
     if (!text.empty()) text += ',';
     text += column.name;
   }
-  text += '\n';
-  for (const demonstration::Sample& sample : table_samples(document)) {
-    for (const Column& column : columns()) {
-      fmt::format_to(std::back_inserter(text), "{},", column.read(sample));
-    }
-    text.back() = '\n';
+  return text + '\n';
+}
+
+void add_csv_row(const demonstration::Sample& sample, std::string& text) {
+  for (const Column& column : columns()) {
+    fmt::format_to(std::back_inserter(text), "{},", column.read(sample));
   }
+  text.back() = '\n';
+}
+
+std::string to_csv(const demonstration::Demonstration& document) {
+  std::string text = csv_head();
+  const Status all = visit_table_samples(document, [&text](const demonstration::Sample& sample) {
+    add_csv_row(sample, text);
+    return Status();
+  });
+  TROCAR_CHECK(all.has_value());
   return text;
 }
 
 Result<Imported> from_csv(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  if (text.empty()) return fail(ErrorCode::kCorrupt, "the file is empty");
-  const Result<std::vector<const Column*>> order = columns_named(split(take_line(text)));
-  if (!order) return wrong_line(1, order.error().text());
-  RowReader reader(*order);
-  std::vector<double> values(order->size());
-  for (std::size_t line_number = 2; !text.empty(); ++line_number) {
-    const std::string_view line = take_line(text);
-    if (line.empty()) continue;
-    Status read = parse_row(line, *order, values);
-    if (read) read = reader.add(values);
-    if (!read) return wrong_line(line_number, read.error().text());
-  }
+  CsvReader reader;
+  TROCAR_RETURN_IF_ERROR(reader.add(text));
+  return reader.finish();
+}
+
+Result<Imported> read_csv(const std::filesystem::path& path) {
+  CsvReader reader;
+  TROCAR_RETURN_IF_ERROR(
+      read_pieces(path, kPiece_bytes, [&reader](std::string_view piece) { return reader.add(piece); }));
   return reader.finish();
 }
 

@@ -12,6 +12,7 @@
 #include "engine/exchange/mapped_table.h"
 #include "engine/exchange/new_file.h"
 #include "engine/exchange/npy.h"
+#include "engine/exchange/row_reader.h"
 #include "engine/exchange/text_lines.h"
 
 namespace trocar::exchange {
@@ -67,13 +68,23 @@ Result<Imported> read_mapped(std::string_view bytes, Format format, const Column
   return from_table(table, map);
 }
 
-/// Whether a file can be read without a map.
+/// As much as tells what a file is.
+Result<std::string> read_beginning(const std::filesystem::path& path) {
+  std::string beginning;
+  bool read = false;
+  const Status done = read_pieces(path, std::size_t{1} << 16U, [&](std::string_view piece) -> Status {
+    beginning = std::string(piece);
+    read = true;
+    return fail(ErrorCode::kCancelled, "that is enough");
+  });
+  if (!done && !read) return tl::unexpected(done.error());
+  return beginning;
+}
+
+/// Whether a file that begins so can be read without a map.
 Result<bool> is_known(std::string_view bytes, Format format) {
   if (format == Format::kHdf5) return true;
-  if (format == Format::kNpy) {
-    TROCAR_ASSIGN_OR_RETURN(const NpyArray array, read_npy_array(bytes));
-    return array.width == columns().size();
-  }
+  if (format == Format::kNpy) return is_demonstration_npy(bytes);
   constexpr std::size_t kJigsawsColumns = 76;
   const std::string_view first = take_line(bytes);
   if (format == Format::kJigsaws) return cells_of(first, ' ').size() == kJigsawsColumns;
@@ -91,10 +102,10 @@ Result<std::vector<Imported>> read(const std::filesystem::path& path, Format for
     return fail(ErrorCode::kInvalidArgument, "only HDF5 files hold demonstrations to choose from");
   }
   if (format == Format::kHdf5) return read_robomimic(path, options.robomimic);
+  if (!options.map && format == Format::kCsv) return alone(read_csv(path));
+  if (!options.map && format == Format::kNpy) return alone(read_npy(path));
   TROCAR_ASSIGN_OR_RETURN(const std::string bytes, read_file(path));
   if (options.map) return alone(read_mapped(bytes, format, *options.map));
-  if (format == Format::kCsv) return alone(from_csv(bytes));
-  if (format == Format::kNpy) return alone(from_npy(bytes));
   std::string transcription;
   if (!options.transcription.empty()) {
     TROCAR_ASSIGN_OR_RETURN(transcription, read_file(options.transcription));
@@ -133,31 +144,48 @@ Result<std::string> compare(const Documents& documents, const std::vector<Import
   if (read.size() != documents.size()) return differ("demonstrations");
   std::size_t count = 0;
   for (std::size_t i = 0; i < read.size(); ++i) {
-    const std::vector<demonstration::Sample> written = table_samples(*documents[i]);
     const std::vector<demonstration::Sample>& back = read[i].recording.samples;
-    if (back.size() != written.size()) return differ("samples");
-    // An import may count time from another tick.
-    const std::int64_t shift = back.front().tick - written.front().tick;
-    for (std::size_t at = 0; at < back.size(); ++at) {
-      demonstration::Sample expected = written[at];
+    if (back.size() != documents[i]->gated().size()) return differ("samples");
+    std::size_t at = 0;
+    std::int64_t shift = 0;
+    const Status same = visit_table_samples(*documents[i], [&](demonstration::Sample expected) -> Status {
+      // An import may count time from another tick.
+      if (at == 0) shift = back.front().tick - expected.tick;
       expected.tick += shift;
-      if (std::memcmp(&expected, &back[at], sizeof expected) != 0) return differ("numbers");
-    }
+      if (std::memcmp(&expected, &back[at++], sizeof expected) != 0) return differ("numbers");
+      return {};
+    });
+    TROCAR_RETURN_IF_ERROR(same);
     count += back.size();
   }
   return fmt::format("{} {} read again, equal to the bit", count, count == 1 ? "sample" : "samples");
 }
 
-/// Compares first what was made, then what is in the file.
+/// Row by row, so that a long demonstration is nowhere in memory as a table; what reads it again does so from the file,
+/// before that takes its name.
 Result<std::string> write_text(const Documents& documents, const std::filesystem::path& path, Format format) {
   const bool csv = format == Format::kCsv;
-  const std::string bytes = csv ? to_csv(*documents.front()) : to_npy(*documents.front());
-  TROCAR_ASSIGN_OR_RETURN(const std::vector<Imported> made, alone(csv ? from_csv(bytes) : from_npy(bytes)));
-  TROCAR_ASSIGN_OR_RETURN(std::string compared, compare(documents, made));
-  TROCAR_RETURN_IF_ERROR(write_file(path, bytes));
-  TROCAR_ASSIGN_OR_RETURN(const std::string back, read_file(path));
-  if (back == bytes) return compared;
-  return fail(ErrorCode::kIo, "what was written reads back with other bytes; the disk is not to be trusted");
+  const demonstration::Demonstration& document = *documents.front();
+  const auto make = [&](const TakeBytes& take) -> Status {
+    std::string piece = csv ? csv_head() : npy_head(document.gated().size());
+    const auto add = [&](const demonstration::Sample& sample) -> Status {
+      csv ? add_csv_row(sample, piece) : add_npy_row(sample, piece);
+      if (piece.size() < kPiece_bytes) return {};
+      TROCAR_RETURN_IF_ERROR(take(piece));
+      piece.clear();
+      return {};
+    };
+    TROCAR_RETURN_IF_ERROR(visit_table_samples(document, add));
+    return take(piece);
+  };
+  std::string compared;
+  const auto check = [&](const std::filesystem::path& written) -> Status {
+    TROCAR_ASSIGN_OR_RETURN(const std::vector<Imported> back, alone(csv ? read_csv(written) : read_npy(written)));
+    TROCAR_ASSIGN_OR_RETURN(compared, compare(documents, back));
+    return {};
+  };
+  TROCAR_RETURN_IF_ERROR(write_file(path, make, check));
+  return compared;
 }
 
 Result<std::string> write_hdf5(const Documents& documents, const std::filesystem::path& path, const Masks& masks) {
@@ -225,11 +253,13 @@ Result<std::vector<std::string>> export_demonstration(const demonstration::Demon
 
 Result<std::optional<ColumnGuess>> guess_columns(const std::filesystem::path& path, Format format) {
   const auto refuse = [&path](const Error& error) { return tl::unexpected(Error(error).at(path.string())); };
-  const Result<std::string> bytes = read_file(path);
-  if (!bytes) return refuse(bytes.error());
-  const Result<bool> known = is_known(*bytes, format);
+  const Result<std::string> beginning = read_beginning(path);
+  if (!beginning) return refuse(beginning.error());
+  const Result<bool> known = is_known(*beginning, format);
   if (!known) return refuse(known.error());
   if (*known) return std::optional<ColumnGuess>();
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return refuse(bytes.error());
   Result<std::optional<ColumnGuess>> guess =
       format == Format::kNpy ? guess_columns_of_npy(*bytes) : guess_columns_of_text(*bytes);
   if (!guess) return refuse(guess.error());

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "engine/demonstration/motion.h"
 #include "engine/demonstration/quality.h"
@@ -14,64 +16,69 @@ namespace trocar::exchange {
 namespace {
 
 using demonstration::Sample;
+using demonstration::SampleTrack;
 
 constexpr std::array<const char*, 2> kArms{"left", "right"};
 /// A step this many times as long as the usual one is a gap.
 constexpr double kGap = 2.5;
 
-double usual_step_s(const std::vector<Sample>& samples) {
+double usual_step_s(const SampleTrack& samples) {
   std::vector<std::int64_t> steps;
   steps.reserve(samples.size());
-  for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples[i].tick - samples[i - 1].tick);
+  for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples.tick(i) - samples.tick(i - 1));
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
   return Tick{*middle}.seconds();
 }
 
 /// "2 gaps, the longest 0.60 s at 3.20 s"; empty if there is none.
-std::string gaps(const std::vector<Sample>& samples, double step_s) {
+std::string gaps(const SampleTrack& samples, double step_s) {
   int count = 0;
   double longest_s = 0.0;
   double at_s = 0.0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    const double gap_s = samples[i].t_s() - samples[i - 1].t_s();
+    const double gap_s = Tick{samples.tick(i)}.seconds() - Tick{samples.tick(i - 1)}.seconds();
     if (gap_s < kGap * step_s) continue;
     ++count;
     if (gap_s <= longest_s) continue;
     longest_s = gap_s;
-    at_s = samples[i - 1].t_s() - samples.front().t_s();
+    at_s = Tick{samples.tick(i - 1)}.seconds() - Tick{samples.tick(0)}.seconds();
   }
   if (count == 0) return "";
   return fmt::format("{} {}, the longest {:.2f} s at {:.2f} s", count, count == 1 ? "gap" : "gaps", longest_s, at_s);
 }
 
-int sign_changes(const std::vector<Sample>& samples, std::size_t arm) {
+int sign_changes(const SampleTrack& samples, std::size_t arm) {
   int count = 0;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const auto& before = samples[i - 1].arms[arm].setpoint_q_wxyz;
-    const auto& after = samples[i].arms[arm].setpoint_q_wxyz;
+  std::array<double, 4> before{};
+  for (const Sample& sample : samples) {
+    const std::array<double, 4>& after = sample.arms[arm].setpoint_q_wxyz;
     double dot = 0.0;
     for (std::size_t part = 0; part < 4; ++part) dot += before[part] * after[part];
     if (dot < 0.0) ++count;
+    before = after;
   }
   return count;
 }
 
 /// "the left tool jumps 2 times, by 31 mm at 0.40 s at the farthest"; empty if it does not. A jump is farther and
 /// faster than a hand with a tool goes from one sample to the next.
-std::string jumps(const std::vector<Sample>& samples, std::size_t arm) {
+std::string jumps(const SampleTrack& samples, std::size_t arm) {
   constexpr double kJump_m = 0.005;
   constexpr double kJumpSpeed_m_s = 1.0;
   int count = 0;
   double farthest_m = 0.0;
   double at_s = 0.0;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const double way_m = (samples[i].arms[arm].setpoint().p - samples[i - 1].arms[arm].setpoint().p).norm();
-    if (way_m < kJump_m || way_m < kJumpSpeed_m_s * (samples[i].t_s() - samples[i - 1].t_s())) continue;
+  std::optional<Sample> last;
+  for (const Sample& sample : samples) {
+    const std::optional<Sample> before = std::exchange(last, sample);
+    if (!before) continue;
+    const double way_m = (sample.arms[arm].setpoint().p - before->arms[arm].setpoint().p).norm();
+    if (way_m < kJump_m || way_m < kJumpSpeed_m_s * (sample.t_s() - before->t_s())) continue;
     ++count;
     if (way_m <= farthest_m) continue;
     farthest_m = way_m;
-    at_s = samples[i - 1].t_s() - samples.front().t_s();
+    at_s = before->t_s() - Tick{samples.tick(0)}.seconds();
   }
   if (count == 0) return "";
   return fmt::format("the {} tool jumps {} {}, by {:.0f} mm at {:.2f} s at the farthest", kArms[arm], count,
@@ -79,7 +86,7 @@ std::string jumps(const std::vector<Sample>& samples, std::size_t arm) {
 }
 
 /// Where a tool goes, when much of it is not over the lattice.
-std::string outside(const std::vector<Sample>& samples, std::size_t arm, const spatial::Grid& grid) {
+std::string outside(const SampleTrack& samples, std::size_t arm, const spatial::Grid& grid) {
   std::size_t count = 0;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
   Eigen::Vector3d high = -low;
@@ -111,7 +118,7 @@ std::string idle(const demonstration::Demonstration& document) {
 }  // namespace
 
 std::vector<std::string> findings(const demonstration::Demonstration& document, const spatial::Grid& grid) {
-  const std::vector<Sample> samples = document.gated().to_vector();
+  const SampleTrack samples = document.gated();
   const double step_s = usual_step_s(samples);
   std::vector<std::string> found{fmt::format("{:.0f} samples a second", 1.0 / step_s)};
   const auto add = [&](std::string sentence) {

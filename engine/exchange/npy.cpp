@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <optional>
 
+#include "engine/core/check.h"
+#include "engine/core/file.h"
 #include "engine/exchange/columns.h"
 #include "engine/exchange/row_reader.h"
 
@@ -69,6 +72,7 @@ std::optional<Shape> parse_shape(std::string_view text) {
   return shape;
 }
 
+/// Of a demonstration's array.
 Result<Shape> read_shape(const NpyHeader& header) {
   if (!value_of(header.dictionary, "descr").starts_with("'<f8'")) {
     return fail(ErrorCode::kUnsupported, "the array must be of little-endian float64 ('<f8')");
@@ -82,12 +86,78 @@ Result<Shape> read_shape(const NpyHeader& header) {
     return corrupt(
         fmt::format("the array has {} columns where a demonstration has {}", shape->width, columns().size()));
   }
-  const std::size_t row_bytes = shape->width * sizeof(double);
-  if (header.data.size() / row_bytes != shape->rows || header.data.size() % row_bytes != 0) {
-    return corrupt(fmt::format("the array's {} rows do not fit its {} bytes", shape->rows, header.data.size()));
-  }
   return *shape;
 }
+
+/// Takes an array in pieces.
+class NpyReader {
+ public:
+  NpyReader() : reader_(all_columns()), values_(columns().size()) {}
+
+  Status add(std::string_view bytes) {
+    if (!shape_) {
+      head_ += bytes;
+      // A header that is not whole yet is longer than any piece.
+      const std::optional<NpyHeader> header = split_header(head_);
+      if (!header) return head_.size() < kLongestHead ? Status() : not_an_array();
+      TROCAR_ASSIGN_OR_RETURN(shape_, read_shape(*header));
+      const std::string rest(header->data);
+      head_.clear();
+      return add(rest);
+    }
+    count_ += bytes.size();
+    const std::size_t row_bytes = values_.size() * sizeof(double);
+    if (!rest_.empty()) {
+      const std::size_t missing = std::min(row_bytes - rest_.size(), bytes.size());
+      rest_ += bytes.substr(0, missing);
+      bytes.remove_prefix(missing);
+      if (rest_.size() < row_bytes) return {};
+      TROCAR_RETURN_IF_ERROR(add_row(rest_));
+      rest_.clear();
+    }
+    for (; bytes.size() >= row_bytes; bytes.remove_prefix(row_bytes)) TROCAR_RETURN_IF_ERROR(add_row(bytes));
+    rest_ = std::string(bytes);
+    return {};
+  }
+
+  Result<Imported> finish() {
+    if (!shape_) return not_an_array();
+    if (!rest_.empty() || rows_ != shape_->rows) {
+      return corrupt(fmt::format("the array's {} rows do not fit its {} bytes", shape_->rows, count_));
+    }
+    return reader_.finish();
+  }
+
+ private:
+  static constexpr std::size_t kLongestHead = std::size_t{1} << 20U;
+
+  static std::vector<const Column*> all_columns() {
+    std::vector<const Column*> order;
+    for (const Column& column : columns()) order.push_back(&column);
+    return order;
+  }
+  static tl::unexpected<Error> not_an_array() { return corrupt("the file is not a NumPy array"); }
+
+  Status add_row(std::string_view bytes) {
+    // What follows the last row is counted, and refused in the end.
+    if (rows_ == shape_->rows) {
+      return corrupt(fmt::format("the array has more than the {} rows that it names", shape_->rows));
+    }
+    std::memcpy(values_.data(), bytes.data(), values_.size() * sizeof(double));
+    ++rows_;
+    const Status added = reader_.add(values_);
+    if (added) return {};
+    return corrupt(fmt::format("row {}: {}", rows_, added.error().text()));
+  }
+
+  RowReader reader_;
+  std::vector<double> values_;
+  std::string head_;  ///< As long as the header is not whole.
+  std::optional<Shape> shape_;
+  std::string rest_;  ///< Of a row that goes on in the next piece.
+  std::size_t rows_ = 0;
+  std::size_t count_ = 0;
+};
 
 template <typename Number>
 double number_at(std::string_view data, std::size_t i) {
@@ -128,40 +198,53 @@ Result<NpyArray> read_npy_array(std::string_view bytes) {
   return array;
 }
 
-std::string to_npy(const demonstration::Demonstration& document) {
-  const std::vector<demonstration::Sample> samples = table_samples(document);
+std::string npy_head(std::size_t rows) {
   std::string dictionary =
-      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", samples.size(), columns().size());
+      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns().size());
   const std::size_t prefix = kMagic.size() + 4;
   while ((prefix + dictionary.size() + 1) % kAlignment != 0) dictionary += ' ';
   dictionary += '\n';
   std::string bytes(kMagic);
   bytes += {'\x01', '\x00', static_cast<char>(dictionary.size() & 0xFF), static_cast<char>(dictionary.size() >> 8)};
-  bytes += dictionary;
-  for (const demonstration::Sample& sample : samples) {
-    for (const Column& column : columns()) {
-      const double value = column.read(sample);
-      bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-    }
+  return bytes + dictionary;
+}
+
+void add_npy_row(const demonstration::Sample& sample, std::string& bytes) {
+  for (const Column& column : columns()) {
+    const double value = column.read(sample);
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
+}
+
+std::string to_npy(const demonstration::Demonstration& document) {
+  std::string bytes = npy_head(document.gated().size());
+  const Status all = visit_table_samples(document, [&bytes](const demonstration::Sample& sample) {
+    add_npy_row(sample, bytes);
+    return Status();
+  });
+  TROCAR_CHECK(all.has_value());
   return bytes;
 }
 
 Result<Imported> from_npy(std::string_view bytes) {
-  const std::optional<NpyHeader> header = split_header(bytes);
-  if (!header) return corrupt("the file is not a NumPy array");
-  TROCAR_ASSIGN_OR_RETURN(const Shape shape, read_shape(*header));
-  std::vector<const Column*> order;
-  for (const Column& column : columns()) order.push_back(&column);
-  RowReader reader(order);
-  std::vector<double> values(shape.width);
-  for (std::size_t row = 0; row < shape.rows; ++row) {
-    const std::size_t row_bytes = shape.width * sizeof(double);
-    std::memcpy(values.data(), header->data.data() + row * row_bytes, row_bytes);
-    const Status added = reader.add(values);
-    if (!added) return corrupt(fmt::format("row {}: {}", row + 1, added.error().text()));
-  }
+  NpyReader reader;
+  TROCAR_RETURN_IF_ERROR(reader.add(bytes));
   return reader.finish();
+}
+
+Result<Imported> read_npy(const std::filesystem::path& path) {
+  NpyReader reader;
+  TROCAR_RETURN_IF_ERROR(
+      read_pieces(path, kPiece_bytes, [&reader](std::string_view piece) { return reader.add(piece); }));
+  return reader.finish();
+}
+
+Result<bool> is_demonstration_npy(std::string_view beginning) {
+  const std::optional<NpyHeader> header = split_header(beginning);
+  if (!header) return corrupt("the file is not a NumPy array");
+  const std::optional<Shape> shape = parse_shape(value_of(header->dictionary, "shape"));
+  if (!shape) return corrupt("the array must have two dimensions, samples and columns");
+  return shape->width == columns().size();
 }
 
 }  // namespace trocar::exchange

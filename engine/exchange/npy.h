@@ -1,6 +1,7 @@
 /// A demonstration as a NumPy array file: float64, one row for each sample, the columns of `columns()` in their order.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,10 +13,18 @@ namespace trocar::exchange {
 
 /// Format version 1.0, little-endian, C order.
 std::string to_npy(const demonstration::Demonstration& document);
+/// What comes before the rows of such an array, and one of them.
+std::string npy_head(std::size_t rows);
+void add_npy_row(const demonstration::Sample& sample, std::string& bytes);
 
 /// Errors: kCorrupt for what is not such an array or has another number of columns, naming the row at fault;
 /// kUnsupported for another type of number or Fortran order.
 Result<Imported> from_npy(std::string_view bytes);
+
+/// The same from a file, which is not held in memory; also kIo.
+Result<Imported> read_npy(const std::filesystem::path& path);
+/// Whether an array that begins so has as many columns as a demonstration. Errors: kCorrupt for what is no array.
+Result<bool> is_demonstration_npy(std::string_view beginning);
 
 /// Any array of two dimensions.
 struct NpyArray {

@@ -158,7 +158,7 @@ class DemonstrationWriter {
 Masks own_masks(const Documents& documents) {
   Masks masks;
   for (std::size_t i = 0; i < documents.size(); ++i) {
-    const demonstration::Recording& recording = *documents[i]->recording;
+    const demonstration::RecordingInfo& recording = *documents[i]->recording;
     std::set<std::string> keys{"all", fmt::format("outcome_{}", to_string(recording.outcome))};
     if (!recording.provenance.operator_kind.empty()) keys.insert("operator_" + recording.provenance.operator_kind);
     if (!recording.provenance.skill.empty()) keys.insert("skill_" + recording.provenance.skill);

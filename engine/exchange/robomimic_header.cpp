@@ -214,24 +214,27 @@ std::optional<Header> parse(std::string_view text) {
 }  // namespace
 
 bool is_as_recorded(const demonstration::Demonstration& document, const std::vector<Sample>& samples) {
-  const std::vector<Sample>& recorded = document.recording->samples;
-  if (samples.size() != recorded.size()) return false;
-  std::vector<Sample> shifted = samples;
-  for (Sample& sample : shifted) sample.tick += recorded.front().tick;
+  if (samples.size() != document.recorded.size()) return false;
+  demonstration::SampleHasher written;
+  for (Sample sample : samples) {
+    sample.tick += document.first_tick();
+    written.add(sample);
+  }
+  demonstration::SampleHasher recorded;
+  for (const Sample& sample : document.recorded) recorded.add(sample);
   const Provenance& made = document.recording->provenance;
-  return document.block == made.block && document.goal == made.goal &&
-         demonstration::hash_of(shifted) == demonstration::hash_of(recorded);
+  return document.block == made.block && document.goal == made.goal && written.digest() == recorded.digest();
 }
 
 std::string robomimic_header(const demonstration::Demonstration& document, const std::vector<Sample>& samples) {
-  const Recording& recording = *document.recording;
+  const demonstration::RecordingInfo& recording = *document.recording;
   Json hashes = Json::array();
   if (is_as_recorded(document, samples)) {
     for (const demonstration::HashMark& mark : recording.hashes) hashes.push_back({mark.tick, hash_text(mark.hash)});
   }
   const Json json{{"trocar", kVersion},
                   {"name", document.name},
-                  {"first_tick", recording.samples.front().tick},
+                  {"first_tick", document.first_tick()},
                   {"samples_hash", hash_text(demonstration::hash_of(samples))},
                   {"outcome", to_string(recording.outcome)},
                   {"placed", recording.placed},

@@ -8,6 +8,9 @@
 
 namespace trocar::exchange {
 
+/// Files of rows are read and written in pieces of about this size.
+constexpr std::size_t kPiece_bytes = std::size_t{1} << 22U;
+
 class RowReader {
  public:
   explicit RowReader(std::vector<const Column*> order) : order_(std::move(order)) {}

@@ -20,8 +20,11 @@ const std::array<ChainRow, kJointCount> kChain{{
 }};
 
 Frame frame_after(const Joints& q, int count) {
-  Frame frame;
-  for (int i = 0; i < count; ++i) {
+  return frame_after(Frame{}, q, 0, count);
+}
+
+Frame frame_after(Frame frame, const Joints& q, int first, int count) {
+  for (int i = first; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const ChainRow& row = kChain[k];
     const double theta = row.theta_rad + (row.prismatic ? 0.0 : q[k]);

@@ -32,6 +32,8 @@ struct Frame {
 };
 /// X_BL of the frame after `count` joints; 0 is B itself.
 Frame frame_after(const Joints& q, int count);
+/// Likewise from that after `first` joints on.
+Frame frame_after(Frame frame, const Joints& q, int first, int count);
 
 /// The axes of T in the frame of joint 6: x_T = −z, y_T = −x, z_T = y (the dVRK's tool-tip offset).
 Eigen::Matrix3d tool_axes();

@@ -21,7 +21,7 @@ spatial::Pose wrist_pose(const spatial::Pose& X_WT) {
 
 std::array<Eigen::Vector3d, 4> skeleton(const PsmModel& model, const Joints& q) {
   const Frame wrist_pitch = frame_after(q, kJointCount - 1);
-  const Frame wrist_yaw = frame_after(q, kJointCount);
+  const Frame wrist_yaw = frame_after(wrist_pitch, q, kJointCount - 1, kJointCount);
   const Eigen::Vector3d p_BT = wrist_yaw.p + kTipFromWrist_m * wrist_yaw.R.col(1);
   return {model.X_WB.p, model.X_WB * wrist_pitch.p, model.X_WB * wrist_yaw.p, model.X_WB * p_BT};
 }

@@ -1,6 +1,8 @@
 // Tools that go into the board, the pegs, the blocks or each other, or pass too near to them.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/review/fixes.h"
 #include "engine/review/problem_parts.h"
 #include "engine/review/sweep.h"
@@ -72,11 +74,11 @@ bool keeps_clear(const Reviewed& of, const MoveTool& edit, std::size_t arm, Obst
 std::string fix_of(const Reviewed& of, std::size_t arm, Obstacle obstacle, const ProblemRun& run) {
   const auto kind = static_cast<std::size_t>(obstacle);
   const Sample worst = of.samples[run.worst];
-  const Separation apart = separation_at(worst, arm, obstacle, of.clearance[run.worst][arm].nearest[kind]);
+  const Separation apart = separation_at(worst, arm, obstacle, of.clearance.nearest(run.worst, arm, kind));
   const std::size_t moved = arm_that_gives_way(obstacle, arm, worst);
   std::vector<Need> needs;
   for (std::size_t i = run.first; i <= run.last; ++i) {
-    const auto distance_m = static_cast<double>(of.clearance[i][arm].nearest[kind].distance_m);
+    const auto distance_m = static_cast<double>(of.clearance.nearest(i, arm, kind).distance_m);
     needs.push_back({of.times_s[i], std::max(0.0, 1.1 * of.options.clearance_m - distance_m)});
   }
   const Eigen::Vector3d out = moved == arm ? apart.normal : Eigen::Vector3d(-apart.normal);
@@ -98,7 +100,10 @@ std::string fix_of(const Reviewed& of, std::size_t arm, Obstacle obstacle, const
 
 void add_kind(const Reviewed& of, std::size_t arm, Obstacle obstacle, std::vector<Problem>& found) {
   const auto kind = static_cast<std::size_t>(obstacle);
-  const auto nearest_at = [&](std::size_t i) -> const Nearest& { return of.clearance[i][arm].nearest[kind]; };
+  const auto nearest_at = [&](std::size_t i) { return of.clearance.nearest(i, arm, kind); };
+  // Nothing that is said here is of samples that are farther apart than both bounds.
+  const std::vector<std::size_t> near =
+      of.clearance.nearer_than(std::max(of.options.clearance_m, -of.options.touch_m), arm, kind);
   const auto shown = [&](double metres) { return fmt::format("{:.1f} mm", 1e3 * metres); };
   const auto add = [&](ProblemKind what, Severity severity, const ProblemRun& run, std::string message) {
     const bool both = obstacle == Obstacle::kOtherTool;
@@ -106,7 +111,7 @@ void add_kind(const Reviewed& of, std::size_t arm, Obstacle obstacle, std::vecto
                      fix_of(of, arm, obstacle, run), both ? -1 : static_cast<int>(arm)});
   };
   const std::vector<ProblemRun> collisions = runs_of(
-      of,
+      of, near,
       [&](std::size_t i) -> std::optional<double> {
         const auto depth_m = -static_cast<double>(nearest_at(i).distance_m);
         if (depth_m <= of.options.touch_m) return std::nullopt;
@@ -114,15 +119,15 @@ void add_kind(const Reviewed& of, std::size_t arm, Obstacle obstacle, std::vecto
       },
       kTogether_s);
   for (const ProblemRun& run : collisions) {
-    const Nearest& worst = nearest_at(run.worst);
+    const Nearest worst = nearest_at(run.worst);
     add(ProblemKind::kCollision, Severity::kError, run,
         fmt::format("the {} {} go{} {} into {}", tool_name(arm), to_string(worst.part),
                     to_string(worst.part) == "jaws" ? "" : "es", shown(run.value), name_of(obstacle, worst)));
   }
   const std::vector<ProblemRun> passes = runs_of(
-      of,
+      of, near,
       [&](std::size_t i) -> std::optional<double> {
-        const Nearest& nearest = nearest_at(i);
+        const Nearest nearest = nearest_at(i);
         const auto distance_m = static_cast<double>(nearest.distance_m);
         const double least_m = allowed_m(of.options, obstacle, nearest);
         if (distance_m >= least_m) return std::nullopt;
@@ -134,7 +139,7 @@ void add_kind(const Reviewed& of, std::size_t arm, Obstacle obstacle, std::vecto
       return other.first <= run.last && run.first <= other.last;
     });
     if (collides) continue;
-    const Nearest& worst = nearest_at(run.worst);
+    const Nearest worst = nearest_at(run.worst);
     const double distance_m = of.options.clearance_m - run.value;
     add(ProblemKind::kClearance, Severity::kWarning, run,
         distance_m < 0.0

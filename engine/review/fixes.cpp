@@ -94,6 +94,18 @@ std::optional<Edit> label_fix(const Demonstration& document) {
   return ProposeLabels{};
 }
 
+/// When a gripper opens again after a problem; the end if it does not.
+double next_opening_s(const Demonstration& document, const Problem& problem) {
+  // An hour of samples is not read to find what is a second away.
+  for (double reach_s = 2.0;; reach_s *= 4.0) {
+    const double end_s = std::min(problem.begin_s + reach_s, document.end_s);
+    for (const Event& event : events_within(document, problem.begin_s, end_s)) {
+      if (event.kind == EventKind::kJawOpens && event.arm == problem.arm) return event.t_s;
+    }
+    if (end_s >= document.end_s) return document.end_s;
+  }
+}
+
 /// A gripper that closes on nothing stays as open as it was until it opens again.
 std::optional<Edit> open_fix(const Demonstration& document, const Problem& problem) {
   if (problem.end_s > problem.begin_s) return std::nullopt;
@@ -103,18 +115,17 @@ std::optional<Edit> open_fix(const Demonstration& document, const Problem& probl
   edit.from_s = document.begin_s;
   edit.to_s = document.end_s;
   edit.ramp_s = 0.0;
-  for (const Sample& sample : document.samples_within(document.begin_s, problem.begin_s)) {
+  const SampleTrack before = document.samples_within(document.begin_s, problem.begin_s);
+  for (std::size_t i = before.size(); i > 0; --i) {
+    const Sample sample = before[i - 1];
     const double jaw_rad = sample.arms[arm].setpoint_jaw_rad;
     if (jaw_rad < kCountsAsOpen_rad) continue;
     edit.from_s = document.time_of(sample);
     edit.jaw_rad = jaw_rad;
-  }
-  if (!(edit.jaw_rad > 0.0)) return std::nullopt;
-  for (const Event& event : events_within(document, problem.begin_s, document.end_s)) {
-    if (event.kind != EventKind::kJawOpens || event.arm != problem.arm) continue;
-    edit.to_s = event.t_s;
     break;
   }
+  if (!(edit.jaw_rad > 0.0)) return std::nullopt;
+  edit.to_s = next_opening_s(document, problem);
   return edit;
 }
 

@@ -26,10 +26,12 @@ struct ProblemRun {
   std::size_t count = 0;  ///< Of samples that have it.
 };
 /// `value(i)`: how bad it is at sample i, above 0; nothing where it is fine. What is at most `together_s` apart is one.
-template <typename Value>
-std::vector<ProblemRun> runs_of(const Reviewed& of, const Value& value, double together_s = 0.1) {
+/// Only `candidates` are asked, which come in order.
+template <typename Candidates, typename Value>
+std::vector<ProblemRun> runs_of(const Reviewed& of, const Candidates& candidates, const Value& value,
+                                double together_s = 0.1) {
   std::vector<ProblemRun> runs;
-  for (std::size_t i = 0; i < of.times_s.size(); ++i) {
+  for (const std::size_t i : candidates) {
     const std::optional<double> bad = value(i);
     if (!bad) continue;
     if (runs.empty() || of.times_s[i] - of.times_s[runs.back().last] > together_s) runs.push_back({i, i, i, *bad, 0});

@@ -34,8 +34,8 @@ void add_reach_problems(const Reviewed& of, std::vector<Problem>& found) {
   // An import's arms may have stood elsewhere than ours do.
   const bool imported = of.document.recording && of.document.recording->provenance.operator_kind == "imported";
   for (std::size_t arm = 0; arm < 2; ++arm) {
-    const auto runs = runs_of(of, [&](std::size_t i) -> std::optional<double> {
-      const ToolReview& tool = of.clearance[i][arm];
+    const auto runs = runs_of(of, of.clearance.perhaps_beyond_reach(arm), [&](std::size_t i) -> std::optional<double> {
+      const ToolReview tool = of.clearance[i][arm];
       if (!tool.reachable) return kNowhere;
       if (tool.excess.beyond <= kRounding) return std::nullopt;
       return tool.excess.joint == kInsertion ? spatial::to_mm(tool.excess.beyond)

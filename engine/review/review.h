@@ -39,6 +39,9 @@ struct Review {
 /// Threads: one at a time.
 class Reviewer {
  public:
+  explicit Reviewer(std::shared_ptr<ClearanceStore> store = std::make_shared<ClearanceStore>())
+      : clearance_(std::move(store)) {}
+
   /// Quick after a small edit: distances are worked out anew for what it touched alone.
   Review make(const demonstration::Demonstration& document, const ReviewOptions& options = {});
 

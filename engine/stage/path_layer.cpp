@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/check.h"
+#include "engine/demonstration/motion.h"
 #include "engine/scene/primitives.h"
 #include "engine/stage/palette.h"
 
@@ -19,6 +20,11 @@ using Eigen::Vector3d;
 constexpr double kTolerance_m = 5e-5;
 constexpr double kSpacing_m = 3.5e-4;
 constexpr int kSides = 6;
+/// Of a path of more samples than this, points that are near to the one before are left out, so that about so many are
+/// left: an hour of motion would be millions of triangles, and a picture of it a tangle anyway.
+constexpr std::size_t kMostWhole = 50'000;
+constexpr double kMostPoints = 20'000.0;
+constexpr double kThinned_m = 2.5e-5;
 /// With more changes of colour than this the path is one tube whose colour runs along it.
 constexpr std::size_t kRunLimit = 32;
 
@@ -131,12 +137,24 @@ PathLayer path_of(const demonstration::Demonstration& demonstration, kinematics:
   constexpr Rgba kUnlabelled{160, 166, 174, 255};
   PathLayer layer;
   auto span = demonstration.segments.begin();
-  for (const demonstration::Sample& sample : demonstration.gated()) {
+  const demonstration::SampleTrack samples = demonstration.gated();
+  const bool thinned = samples.size() > kMostWhole;
+  double apart_m = 0.0;
+  if (thinned) {
+    const double length_m = demonstration::path_length_m(demonstration, kinematics::index_of(side));
+    apart_m = std::max(kThinned_m, std::isfinite(length_m) ? length_m / kMostPoints : 0.0);
+  }
+  std::size_t left = samples.size();
+  for (const demonstration::Sample& sample : samples) {
     const double t_s = demonstration.time_of(sample);
     while (span != demonstration.segments.end() && t_s >= span->end_s) ++span;
     const bool labelled = span != demonstration.segments.end() && t_s >= span->begin_s;
-    layer.points.push_back(sample.arms[kinematics::index_of(side)].measured.pose().p);
-    layer.colours.push_back(labelled ? segment_colour(span->label) : kUnlabelled);
+    const Vector3d p_WT = demonstration::measured_tip(sample, kinematics::index_of(side));
+    const Rgba colour = labelled ? segment_colour(span->label) : kUnlabelled;
+    const bool near = !layer.points.empty() && (p_WT - layer.points.back()).norm() < apart_m;
+    if (--left > 0 && thinned && near && colour == layer.colours.back()) continue;
+    layer.points.push_back(p_WT);
+    layer.colours.push_back(colour);
   }
   return layer;
 }

@@ -74,7 +74,7 @@ class Stage {
   std::shared_ptr<const Meshes> meshes_;
 };
 
-/// The left tip's gated path, coloured by segment (Okabe–Ito).
+/// The gated path of a tip, coloured by segment (Okabe–Ito); of a long one about 20,000 points.
 PathLayer path_of(const demonstration::Demonstration& demonstration, kinematics::ArmSide side);
 Rgba segment_colour(demonstration::Segment segment);
 

@@ -8,23 +8,23 @@
 namespace trocar::trial {
 namespace {
 
-using demonstration::Recording;
+using demonstration::RecordingInfo;
 using demonstration::Sample;
 
-Status check(const Recording& recording) {
+Status check(const RecordingInfo& recording, const demonstration::SampleTrack& samples) {
   if (recording.initial_world.empty()) {
     return fail(ErrorCode::kInvalidArgument, "the recording has no initial world, so it cannot be replayed");
   }
   if (recording.hashes.empty()) {
     return fail(ErrorCode::kInvalidArgument, "the recording has no state hashes to compare with");
   }
-  if (recording.samples.empty()) return fail(ErrorCode::kInvalidArgument, "the recording has no samples");
+  if (samples.empty()) return fail(ErrorCode::kInvalidArgument, "the recording has no samples");
   const auto index_ok = [](int index) { return index >= 0 && index < peg_board::kBlockCount; };
   if (!index_ok(recording.provenance.block) || !index_ok(recording.provenance.goal)) {
     return fail(ErrorCode::kInvalidArgument, "the recording names a block or goal that does not exist");
   }
-  for (std::size_t i = 1; i < recording.samples.size(); ++i) {
-    if (recording.samples[i].tick <= recording.samples[i - 1].tick) {
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (samples.tick(i) <= samples.tick(i - 1)) {
       return fail(ErrorCode::kInvalidArgument, "the recording's samples are out of order");
     }
   }
@@ -34,7 +34,7 @@ Status check(const Recording& recording) {
 /// A world that follows recorded setpoints and compares its hashes with the recorded ones.
 class Replayer {
  public:
-  Replayer(const Recording& recording, simulation::World world)
+  Replayer(const RecordingInfo& recording, simulation::World world)
       : recording_(recording), world_(std::move(world)), task_(recording.provenance.block, recording.provenance.goal) {}
 
   /// At the first sample, before any step.
@@ -79,7 +79,7 @@ class Replayer {
     }
   }
 
-  const Recording& recording_;
+  const RecordingInfo& recording_;
   simulation::World world_;
   Task task_;
   std::size_t next_mark_ = 0;
@@ -89,8 +89,9 @@ class Replayer {
 
 }  // namespace
 
-Result<ReplayResult> replay(const Recording& recording, Progress& progress) {
-  TROCAR_RETURN_IF_ERROR(check(recording));
+Result<ReplayResult> replay(const RecordingInfo& recording, const demonstration::SampleTrack& samples,
+                            Progress& progress) {
+  TROCAR_RETURN_IF_ERROR(check(recording, samples));
   simulation::WorldOptions options;
   options.seed = recording.provenance.seed;
   simulation::World world(options);
@@ -99,10 +100,10 @@ Result<ReplayResult> replay(const Recording& recording, Progress& progress) {
   }
   Replayer replayer(recording, std::move(world));
   replayer.start();
-  const std::size_t count = recording.samples.size();
+  const std::size_t count = samples.size();
   for (std::size_t i = 1; i < count; ++i) {
     if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the replay was stopped");
-    replayer.follow(recording.samples[i - 1], recording.samples[i]);
+    replayer.follow(samples[i - 1], samples[i]);
     if (i % 20 == 0) progress.set(static_cast<double>(i) / static_cast<double>(count));
   }
   progress.set(1.0);

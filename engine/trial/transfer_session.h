@@ -9,7 +9,7 @@
 
 #include "engine/core/progress.h"
 #include "engine/core/result.h"
-#include "engine/demonstration/recording.h"
+#include "engine/demonstration/sample_track.h"
 #include "engine/simulation/world.h"
 #include "engine/trial/live_session.h"
 #include "engine/trial/operator_input.h"
@@ -77,6 +77,10 @@ struct ReplayResult {
   bool placed = false;                  ///< As found in the re-simulation.
 };
 /// Errors: kInvalidArgument if the recording has no initial world (imports) or no marks; kCancelled.
-Result<ReplayResult> replay(const demonstration::Recording& recording, Progress& progress);
+Result<ReplayResult> replay(const demonstration::RecordingInfo& recording, const demonstration::SampleTrack& samples,
+                            Progress& progress);
+inline Result<ReplayResult> replay(const demonstration::Recording& recording, Progress& progress) {
+  return replay(recording, demonstration::SampleTrack(recording.samples), progress);
+}
 
 }  // namespace trocar::trial

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "engine/store/project_store.h"
@@ -19,10 +20,18 @@ class BlobCache final : public BlobSource {
   /// From now on models come without their bytes, as `describe_model` gives them.
   void describe_models_only() { describe_only_ = true; }
 
-  /// Errors: kNotFound; kCorrupt for one that is unfinished or does not match its own hash.
-  Result<std::shared_ptr<const demonstration::Recording>> recording(demonstration::RecordingId id) const override;
+  /// Errors: kNotFound; kCorrupt for one that is unfinished or does not match its own hash; kInvalidArgument for
+  /// samples that make no demonstration.
+  Result<StoredRecording> recording(demonstration::RecordingId id) const override;
   Result<ModelEntry> model(std::int64_t object) const override;
   Result<std::shared_ptr<const Project>> project_at(std::int64_t node) const override { return past_(node); }
+
+  std::shared_ptr<const demonstration::Demonstration> prepared(
+      const std::shared_ptr<const demonstration::Demonstration>& before,
+      const demonstration::Edit& edit) const override;
+  /// See `ProjectFile::prepare`; nulls forget what was.
+  void prepare(std::shared_ptr<const demonstration::Demonstration> before, const demonstration::Edit& edit,
+               std::shared_ptr<const demonstration::Demonstration> after);
 
   using Past = std::function<Result<std::shared_ptr<const Project>>(std::int64_t node)>;
   /// Who knows the history; before that, no `project_at`.
@@ -35,8 +44,15 @@ class BlobCache final : public BlobSource {
   const store::ProjectStore& store_;
   Past past_;
   bool describe_only_ = false;
+  struct Prepared {
+    std::shared_ptr<const demonstration::Demonstration> before;
+    std::string name;
+    std::string parameters;
+    std::shared_ptr<const demonstration::Demonstration> after;
+  };
+  Prepared prepared_;
   // Kept as long as the project is open: undo and redo may need any of them again within a frame.
-  mutable std::map<demonstration::RecordingId, std::shared_ptr<const demonstration::Recording>> recordings_;
+  mutable std::map<demonstration::RecordingId, StoredRecording> recordings_;
   mutable std::map<std::int64_t, ModelEntry> models_;
 };
 

@@ -23,6 +23,8 @@ constexpr std::array<CurveLook, demonstration::kCurveKindCount> kLooks{{{"x", "m
                                                                         {"Jaw", "°", kDegreesPerRadian, false},
                                                                         {"Clearance", "mm", 1e3, true}}};
 
+constexpr std::size_t kProblemsAtOnce_samples = 50'000;
+
 }  // namespace
 
 const CurveLook& look_of(CurveKind kind) {
@@ -144,7 +146,9 @@ std::shared_ptr<const CurveSet> CurveMaker::make(const CurvesRequest& request) {
   curves_ = std::move(kept);
   if (checked_ != request.shown) {
     checked_ = request.shown;
-    problems_ = demonstration::problems(shown, spatial::Grid{});
+    // Those of a long one come with the review, which works them out anyway.
+    problems_.clear();
+    if (shown.samples.size() <= kProblemsAtOnce_samples) problems_ = demonstration::problems(shown, spatial::Grid{});
   }
   set->problems = problems_;
   return set;

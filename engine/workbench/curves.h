@@ -73,6 +73,9 @@ struct CurveSet {
 /// Threads: one at a time.
 class CurveMaker {
  public:
+  explicit CurveMaker(std::shared_ptr<review::ClearanceStore> distances = std::make_shared<review::ClearanceStore>())
+      : clearance_(std::move(distances)) {}
+
   /// Null for a request without a demonstration.
   std::shared_ptr<const CurveSet> make(const CurvesRequest& request);
 

@@ -72,7 +72,8 @@ struct Application {
   Result<Demonstration> imported(const ImportDemonstrations::Part& part, DemonstrationId id) const {
     TROCAR_RETURN_IF_ERROR(demonstration::check_name(part.name));
     TROCAR_ASSIGN_OR_RETURN(auto recording, blobs.recording(part.recording));
-    TROCAR_ASSIGN_OR_RETURN(Demonstration made, demonstration::make_demonstration(id, part.name, std::move(recording)));
+    Demonstration made =
+        demonstration::make_demonstration(id, part.name, std::move(recording.info), std::move(recording.samples));
     for (std::size_t i = 0; i < part.edits.size(); ++i) {
       TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(part.edits[i], project, blobs, new_id));
       TROCAR_ASSIGN_OR_RETURN(made, demonstration::apply(made, whole, demonstration::entry_id(id.value, i)));
@@ -168,6 +169,9 @@ struct Application {
     const auto found = project.demonstrations.find(edit.demonstration);
     if (found == project.demonstrations.end()) return no_demonstration(edit.demonstration);
     TROCAR_ASSIGN_OR_RETURN(const DemonstrationEdit whole, resolved(edit.edit, project, blobs, new_id));
+    if (const auto known = blobs.prepared(found->second, whole)) {
+      return with(edit.demonstration, demonstration::stacked(*found->second, *known, whole, first_entry));
+    }
     return with(edit.demonstration, demonstration::apply(*found->second, whole, first_entry));
   }
 

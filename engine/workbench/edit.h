@@ -161,9 +161,21 @@ struct Batch {
 class BlobSource {
  public:
   virtual ~BlobSource() = default;
-  virtual Result<std::shared_ptr<const demonstration::Recording>> recording(demonstration::RecordingId id) const = 0;
+  struct StoredRecording {
+    std::shared_ptr<const demonstration::RecordingInfo> info;
+    demonstration::SampleTrack samples;  ///< At least 2, and checked.
+  };
+  virtual Result<StoredRecording> recording(demonstration::RecordingId id) const = 0;
   /// An entry without id; the edit gives it one.
   virtual Result<ModelEntry> model(std::int64_t object) const = 0;
+  /// What an edit makes of this very demonstration, if somebody has worked it out already; else null. Its stack and the
+  /// ids in it are of no account.
+  virtual std::shared_ptr<const demonstration::Demonstration> prepared(
+      const std::shared_ptr<const demonstration::Demonstration>& before, const demonstration::Edit& edit) const {
+    (void)before;
+    (void)edit;
+    return nullptr;
+  }
   /// The project as it was at a node of its history. Errors: kNotFound.
   virtual Result<std::shared_ptr<const Project>> project_at(std::int64_t node) const = 0;
 };

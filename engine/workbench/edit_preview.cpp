@@ -45,6 +45,8 @@ std::vector<demonstration::IdleCut> idle_in(const PreviewRequest& request) {
 std::shared_ptr<const EditPreview> preview_of(const PreviewRequest& request) {
   if (!request.before) return nullptr;
   auto preview = std::make_shared<EditPreview>();
+  preview->edit = request.edit;
+  preview->entry = request.entry;
   preview->before = request.before;
   if (!request.problem.empty()) {
     preview->error = request.problem;

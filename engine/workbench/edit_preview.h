@@ -22,6 +22,8 @@ struct PreviewRequest {
 };
 
 struct EditPreview {
+  demonstration::Edit edit;
+  std::int64_t entry = 0;
   std::shared_ptr<const demonstration::Demonstration> before;
   std::shared_ptr<const demonstration::Demonstration> after;  ///< Null if the edit cannot be made.
   demonstration::Difference difference;

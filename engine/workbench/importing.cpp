@@ -116,7 +116,7 @@ Result<std::vector<DemonstrationId>> add_parts(ProjectFile& file, const std::fil
                                                const std::vector<ImportPart>& parts) {
   std::vector<ProjectFile::NewRecording> recordings;
   for (const ImportPart& part : parts) {
-    recordings.push_back({part.document->recording.get(), part.name,
+    recordings.push_back({part.document->recording, part.document->recorded, part.name,
                           std::vector<demonstration::Edit>(part.notes.begin(), part.notes.end())});
   }
   return file.import_recordings(path.filename().string(), recordings);

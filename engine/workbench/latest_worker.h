@@ -32,11 +32,13 @@ class LatestWorker {
   void request(Request request) {
     requests_.back() = {++requested_, std::move(request)};
     requests_.publish();
+    // What was replaced unseen may hold documents that nobody needs any more.
+    requests_.back() = {};
     wake_.release();
   }
   /// True if an answer arrived since the last call; it is then in `answer()`.
   bool update() {
-    if (!answers_.update()) return false;
+    if (!answers_.replace()) return false;
     answered_ = answers_.front().number;
     return true;
   }
@@ -56,10 +58,11 @@ class LatestWorker {
     for (;;) {
       wake_.acquire();
       if (stop.stop_requested()) return;
-      if (!requests_.update()) continue;
+      if (!requests_.replace()) continue;
       const Numbered<Request>& newest = requests_.front();
       answers_.back() = {newest.number, handler(newest.value)};
       answers_.publish();
+      answers_.back() = {};
     }
   }
 

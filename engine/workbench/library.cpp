@@ -29,16 +29,12 @@ bool moves(const demonstration::SampleTrack& samples, std::size_t arm) {
   return (high - low).norm() > kMoves_m;
 }
 
-std::optional<double> least_clearance_m(const Demonstration& document, const demonstration::SampleTrack& samples) {
+std::optional<double> least_clearance_m(const Demonstration& document, const demonstration::SampleTrack& samples,
+                                        review::ClearanceMaker& maker) {
   const bool finite = std::all_of(samples.begin(), samples.end(),
                                   [](const demonstration::Sample& sample) { return is_finite(sample); });
   if (!finite || samples.empty()) return std::nullopt;
-  const review::ClearanceCurve curve = review::ClearanceMaker().make(document);
-  double least_m = review::kHorizon_m;
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    for (const review::ToolReview& tool : curve[i]) least_m = std::min(least_m, tool.least_m());
-  }
-  return least_m;
+  return maker.make(document).least_m();
 }
 
 std::optional<double> grid_error_m(const Demonstration& document) {
@@ -51,7 +47,7 @@ std::optional<double> grid_error_m(const Demonstration& document) {
 }
 
 LibraryRow facts_of(const Demonstration& document, const LibraryRequest& request) {
-  const demonstration::Recording& recording = *document.recording;
+  const demonstration::RecordingInfo& recording = *document.recording;
   LibraryRow row;
   row.id = document.id;
   row.name = document.name;
@@ -138,6 +134,11 @@ void find_oddities(std::vector<LibraryRow>& rows) {
 }  // namespace
 
 Measures measures_of(const Demonstration& document) {
+  review::ClearanceMaker maker;
+  return measures_of(document, maker);
+}
+
+Measures measures_of(const Demonstration& document, review::ClearanceMaker& maker) {
   const demonstration::SampleTrack samples = document.gated();
   Measures measures;
   for (std::size_t arm = 0; arm < 2; ++arm) {
@@ -149,9 +150,20 @@ Measures measures_of(const Demonstration& document) {
     measures.peak_jerk_m_s3 = std::max(measures.peak_jerk_m_s3.value_or(0.0), jerk->peak_m_s3);
   }
   measures.idle_share = demonstration::idle_share(document);
-  measures.clearance_m = least_clearance_m(document, samples);
+  measures.clearance_m = least_clearance_m(document, samples, maker);
   measures.grid_error_m = grid_error_m(document);
   return measures;
+}
+
+/// Every version of every demonstration has measures of its own.
+void LibraryMaker::forget_old(const LibraryView& view) {
+  if (known_.size() <= std::max(kMostMeasures, 2 * view.rows.size())) return;
+  decltype(known_) now;
+  for (const LibraryRow& row : view.rows) {
+    const auto found = known_.find({row.hash, view.of.project->demonstrations.at(row.id)->block});
+    if (found != known_.end()) now.insert(*found);
+  }
+  known_ = std::move(now);
 }
 
 std::shared_ptr<const LibraryView> LibraryMaker::make(const LibraryRequest& request, std::size_t most_samples) {
@@ -164,12 +176,13 @@ std::shared_ptr<const LibraryView> LibraryMaker::make(const LibraryRequest& requ
     auto& measures = known_[{row.hash, document->block}];
     if (!measures && done_samples < most_samples) {
       done_samples += std::max<std::size_t>(row.samples, 1);
-      measures = std::make_shared<const Measures>(measures_of(*document));
+      measures = std::make_shared<const Measures>(measures_of(*document, clearance_));
     }
     row.measures = measures;
     view->unmeasured += measures ? 0 : 1;
     view->rows.push_back(std::move(row));
   }
+  forget_old(*view);
   find_duplicates(view->rows);
   if (view->unmeasured == 0) find_oddities(view->rows);
   return view;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/review/clearance.h"
 #include "engine/workbench/facts.h"
 #include "engine/workbench/project.h"
 
@@ -28,6 +29,8 @@ struct Measures {
 };
 /// Threads: any.
 Measures measures_of(const demonstration::Demonstration& document);
+/// With distances that `maker` may remember.
+Measures measures_of(const demonstration::Demonstration& document, review::ClearanceMaker& maker);
 
 /// How far a row is from the others in what it is oddest in, in robust standard deviations.
 struct Oddity {
@@ -66,14 +69,26 @@ struct LibraryView {
   std::size_t unmeasured = 0;    ///< Rows without measures.
 };
 
+/// With more versions than this, only those of the rows at hand are remembered.
+constexpr std::size_t kMostMeasures = 4096;
+
 /// Works out a library piece by piece, and remembers measures by what they are of. Threads: one at a time.
 class LibraryMaker {
  public:
+  explicit LibraryMaker(std::shared_ptr<review::ClearanceStore> distances = std::make_shared<review::ClearanceStore>())
+      : clearance_(std::move(distances)) {}
+
   /// All rows; of those without measures as many are measured as have `most_samples` together, one at least unless it
   /// is 0. Null for a request without a project.
   std::shared_ptr<const LibraryView> make(const LibraryRequest& request, std::size_t most_samples);
 
+  /// Versions of which measures are remembered.
+  std::size_t remembered() const { return known_.size(); }
+
  private:
+  void forget_old(const LibraryView& view);
+
+  review::ClearanceMaker clearance_;
   std::map<std::pair<std::uint64_t, int>, std::shared_ptr<const Measures>> known_;
 };
 

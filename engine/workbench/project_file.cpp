@@ -89,18 +89,28 @@ Result<ProjectPointer> ProjectFile::Impl::step(const ProjectPointer& before, std
 }
 
 void ProjectFile::Impl::keep(std::int64_t node, const ProjectPointer& document) {
-  if (tree.depth(node) % kKeyframeDistance == 0) keyframes[node] = document;
+  const bool station = tree.depth(node) % kKeyframeDistance == 0;
+  if (station) documents.keep(node, document, DocumentCache::For::kGood);
 }
 
 Result<ProjectPointer> ProjectFile::Impl::document_at(std::int64_t node) {
   std::int64_t from = node;
-  while (from != head && !keyframes.contains(from)) from = tree.parent(from);
-  ProjectPointer document = from == head ? project : keyframes.at(from);
+  while (from != head && !documents.contains(from)) from = tree.parent(from);
+  ProjectPointer document = from == head ? project : documents.find(from);
   for (const std::int64_t next : tree.path(from, node)) {
     TROCAR_ASSIGN_OR_RETURN(document, step(document, next));
     keep(next, document);
   }
   return document;
+}
+
+/// Where we come from and where we are stay at hand for undo and redo.
+void ProjectFile::Impl::stand_at(std::int64_t node, const ProjectPointer& document) {
+  documents.keep(head, project, DocumentCache::For::kAWhile);
+  documents.keep(node, document, DocumentCache::For::kAWhile);
+  head = node;
+  project = document;
+  documents.bound(*project);
 }
 
 /// For edits that take from the past. Kept, or a chain of such edits would be gone through again at every link.
@@ -109,7 +119,8 @@ Result<ProjectPointer> ProjectFile::Impl::past(std::int64_t node) {
     return fail(ErrorCode::kNotFound, fmt::format("the history has no point {}", node));
   }
   TROCAR_ASSIGN_OR_RETURN(ProjectPointer document, document_at(node));
-  keyframes[node] = document;
+  documents.keep(node, document, DocumentCache::For::kGood);
+  documents.bound(*project);
   return document;
 }
 
@@ -137,8 +148,7 @@ Status ProjectFile::Impl::move(const std::function<Result<std::int64_t>()>& wher
   });
   TROCAR_RETURN_IF_ERROR(done);
   for (const store::RedoRow& row : left) tree.set_redo(row.parent, row.child);
-  head = node;
-  project = document;
+  stand_at(node, document);
   return {};
 }
 
@@ -165,8 +175,7 @@ Result<std::int64_t> ProjectFile::Impl::commit(const std::function<Result<Edit>(
   const std::int64_t id = row.id;
   TROCAR_RETURN_IF_ERROR(take_rows({std::move(row)}));
   keep(id, edited);
-  head = id;
-  project = edited;
+  stand_at(id, edited);
   return id;
 }
 
@@ -254,7 +263,15 @@ Result<std::int64_t> ProjectFile::commit(const Edit& edit) {
   // A long recording is read before the transaction, so that other programs do not wait for it.
   if (const auto* added = std::get_if<AddDemonstration>(&edit)) (void)impl_->blobs.recording(added->recording);
   if (const auto* punch = std::get_if<PunchIn>(&edit)) (void)impl_->blobs.recording(punch->take.recording);
-  return impl_->commit([&edit]() -> Result<Edit> { return edit; });
+  Result<std::int64_t> node = impl_->commit([&edit]() -> Result<Edit> { return edit; });
+  // What another program holds up is tried again.
+  if (node || !held_elsewhere()) impl_->blobs.prepare(nullptr, demonstration::Edit{}, nullptr);
+  return node;
+}
+
+void ProjectFile::prepare(std::shared_ptr<const demonstration::Demonstration> before, const demonstration::Edit& edit,
+                          std::shared_ptr<const demonstration::Demonstration> after) {
+  impl_->blobs.prepare(std::move(before), edit, std::move(after));
 }
 
 Status ProjectFile::undo() {
@@ -304,12 +321,17 @@ Result<RecordingWriter> ProjectFile::begin_recording(const demonstration::Proven
 
 Result<demonstration::RecordingId> ProjectFile::store_recording(const demonstration::Recording& recording) {
   TROCAR_RETURN_IF_ERROR(demonstration::check_samples(recording.samples));
+  return store_recording(recording, demonstration::SampleTrack(recording.samples));
+}
+
+Result<demonstration::RecordingId> ProjectFile::store_recording(const demonstration::RecordingInfo& info,
+                                                                const demonstration::SampleTrack& samples) {
   demonstration::RecordingId id;
   const auto work = [&]() -> Status {
-    TROCAR_ASSIGN_OR_RETURN(RecordingWriter writer, begin_recording(recording.provenance, recording.initial_world));
-    for (const demonstration::Sample& sample : recording.samples) TROCAR_RETURN_IF_ERROR(writer.add(sample));
-    for (const demonstration::HashMark& mark : recording.hashes) TROCAR_RETURN_IF_ERROR(writer.mark(mark));
-    TROCAR_ASSIGN_OR_RETURN(id, writer.finish(recording.outcome, recording.placed));
+    TROCAR_ASSIGN_OR_RETURN(RecordingWriter writer, begin_recording(info.provenance, info.initial_world));
+    for (const demonstration::Sample& sample : samples) TROCAR_RETURN_IF_ERROR(writer.add(sample));
+    for (const demonstration::HashMark& mark : info.hashes) TROCAR_RETURN_IF_ERROR(writer.mark(mark));
+    TROCAR_ASSIGN_OR_RETURN(id, writer.finish(info.outcome, info.placed));
     return {};
   };
   TROCAR_RETURN_IF_ERROR(impl_->store.transaction(work));
@@ -330,7 +352,7 @@ Result<std::vector<DemonstrationId>> ProjectFile::import_recordings(const std::s
   const Result<std::int64_t> node = impl_->commit([&]() -> Result<Edit> {
     ImportDemonstrations import{file, {}};
     for (const NewRecording& each : recordings) {
-      TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId id, store_recording(*each.recording));
+      TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId id, store_recording(*each.info, each.samples));
       stored.push_back(id);
       import.parts.push_back({id, each.name, each.edits});
     }

@@ -64,6 +64,10 @@ class ProjectFile {
   /// previews. `entry` not 0: it replaces that one of the stack.
   Result<demonstration::Edit> resolved(demonstration::Edit edit, DemonstrationId demonstration,
                                        std::int64_t entry = 0) const;
+  /// `after` is what `edit` makes of `before`, worked out in another thread: the next commit, if it is of this, need
+  /// not do it again. Precondition: the edit rewrites samples and nothing else.
+  void prepare(std::shared_ptr<const demonstration::Demonstration> before, const demonstration::Edit& edit,
+               std::shared_ptr<const demonstration::Demonstration> after);
   /// Errors: kInvalidArgument if there is nothing to undo or redo.
   Status undo();
   /// Towards the newest child, or the branch that was last left by undo.
@@ -90,6 +94,9 @@ class ProjectFile {
   /// Stores a whole recording (imports) and returns its id; add it with AddDemonstration. Of a provenance that is not
   /// UTF-8 the odd bytes are replaced. Errors: kInvalidArgument for samples that make no demonstration.
   Result<demonstration::RecordingId> store_recording(const demonstration::Recording& recording);
+  /// Likewise of samples that were checked.
+  Result<demonstration::RecordingId> store_recording(const demonstration::RecordingInfo& info,
+                                                     const demonstration::SampleTrack& samples);
   /// Stores a trained model; add it with AddModel.
   Result<std::int64_t> store_model(const ModelEntry& entry);
   /// The above with its edit, in one transaction: all of it is in the project, or nothing. Returns the new node's id,
@@ -97,7 +104,8 @@ class ProjectFile {
   Result<std::int64_t> add_model(const ModelEntry& entry, const Progress& progress);
   /// Likewise all that an import found, as one step; returns the ids of the demonstrations in their order.
   struct NewRecording {
-    const demonstration::Recording* recording = nullptr;
+    std::shared_ptr<const demonstration::RecordingInfo> info;
+    demonstration::SampleTrack samples;
     std::string name;
     std::vector<demonstration::Edit> edits;
   };

@@ -11,6 +11,7 @@
 
 #include "engine/store/project_store.h"
 #include "engine/workbench/blob_cache.h"
+#include "engine/workbench/document_cache.h"
 #include "engine/workbench/project_file.h"
 
 namespace trocar::workbench {
@@ -33,13 +34,13 @@ struct ProjectFile::Impl {
   BlobCache blobs{store};
   HistoryTree tree;
   std::unordered_map<std::int64_t, JournalEntry> entries;
-  std::unordered_map<std::int64_t, ProjectPointer> keyframes{{0, std::make_shared<const Project>()}};
+  DocumentCache documents;
   std::int64_t head = 0;
-  ProjectPointer project = keyframes.at(0);
+  ProjectPointer project = documents.find(0);
   std::size_t recovered = 0;
   Checkpoints checkpoints;
   Replays replays;
-  std::pair<std::int64_t, ProjectPointer> last_past{0, keyframes.at(0)};  ///< Where `subject_at` was asked last.
+  std::pair<std::int64_t, ProjectPointer> last_past{0, documents.find(0)};  ///< Where `subject_at` was asked last.
   bool behind = false;  ///< Another program has changed the store, and it has not been taken in yet.
 
   Status take_rows(std::vector<store::JournalRow> rows);
@@ -51,6 +52,7 @@ struct ProjectFile::Impl {
   Result<ProjectPointer> document_at(std::int64_t node);
   Result<ProjectPointer> past(std::int64_t node);
   void keep(std::int64_t node, const ProjectPointer& document);
+  void stand_at(std::int64_t node, const ProjectPointer& document);
   Status load();
   std::vector<store::RedoRow> redo_back_from(std::int64_t node) const;
   Status move(const std::function<Result<std::int64_t>()>& where);

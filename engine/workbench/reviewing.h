@@ -1,6 +1,7 @@
 /// The problems of the demonstration that is shown, worked out beside the window; and what the simulator made of it.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,14 +24,27 @@ struct ReviewView {
   std::string incomplete;  ///< Why not everything could be checked; empty: it was.
 };
 
-/// Keeps distances from version to version. Threads: one at a time.
+/// So many versions are remembered: undo and redo of neighbours work nothing out.
+constexpr std::size_t kKeptReviews = 4;
+
+/// Keeps distances from version to version, and the last views. Threads: one at a time.
 class ReviewMaker {
  public:
+  explicit ReviewMaker(std::shared_ptr<review::ClearanceStore> distances = std::make_shared<review::ClearanceStore>())
+      : reviewer_(std::move(distances)) {}
+
   /// Null for a request without a demonstration.
   std::shared_ptr<const ReviewView> make(const ReviewRequest& request);
 
  private:
   review::Reviewer reviewer_;
+  /// Without its request, as a version that nobody shows any more is not to stay in memory for this.
+  struct Kept {
+    std::weak_ptr<const demonstration::Demonstration> document;
+    std::weak_ptr<const ModelEntry> model;
+    ReviewView view;
+  };
+  std::deque<Kept> kept_;  ///< The newest comes first.
 };
 
 /// The latest re-simulation. It is of one version of one demonstration, and says nothing of later ones.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/same_object.h"
 #include "engine/figure/field_figure.h"
 #include "engine/learning/field.h"
 #include "engine/workbench/whiskers.h"
@@ -46,11 +47,11 @@ void add_ghost_of(const demonstration::Demonstration& before, std::vector<stage:
 }
 
 /// The comparison that is to be drawn, null if none is; not before it is of what is shown.
-const ComparisonView* drawn_comparison(const WorkbenchState& state) {
+std::shared_ptr<const ComparisonView> drawn_comparison(const WorkbenchState& state) {
   if (!state.comparing || !state.comparing->in_view || !state.comparison || !state.comparison->comparison) {
     return nullptr;
   }
-  return state.comparison.get();
+  return state.comparison;
 }
 
 /// As an edit that is being made would leave it, if one is.
@@ -59,6 +60,16 @@ std::shared_ptr<const demonstration::Demonstration> selected(const WorkbenchStat
   if (state.preview && state.preview->after) return state.preview->after;
   const auto found = state.project->demonstrations.find(state.demonstration);
   return found == state.project->demonstrations.end() ? nullptr : found->second;
+}
+
+PathsRequest paths_of(const WorkbenchState& state) {
+  PathsRequest request;
+  if (state.live) return request;
+  request.shown = selected(state);
+  if (state.preview && state.preview->after) request.before = state.preview->before;
+  request.comparison = drawn_comparison(state);
+  if (state.rollouts.ghosts) request.rollouts = state.insight;
+  return request;
 }
 
 /// The last sample at or before `t_s`, also outside of the gates. Precondition: there are samples.
@@ -76,9 +87,12 @@ scene::Camera camera_of(const WorkbenchState& state) {
 ViewDirector::ViewDirector()
     : ready_(ready_stage()), worker_([] {
         auto studio = std::make_shared<Result<Studio>>(Studio::create());
-        return [studio](const Asked& asked) -> Answer {
+        auto paths = std::make_shared<PathMaker>();
+        return [studio, paths](const Asked& asked) -> Answer {
           if (!*studio) return {nullptr, studio->error().text(), {}};
-          Result<Image> image = (*studio)->picture(asked.view);
+          ViewRequest request = asked.view;
+          request.paths = paths->make(asked.paths);
+          Result<Image> image = (*studio)->picture(request);
           if (!image) return {nullptr, image.error().text(), {}};
           return {std::make_shared<const Image>(std::move(*image)), {}, asked.edges};
         };
@@ -100,7 +114,7 @@ bool ViewDirector::poll(WorkbenchState& state, double now_s) {
     coarse_ = changed;
     request.render.samples = coarse_ ? 1 : 4;
     request.render.soft_shadows = !coarse_;
-    worker_.request({std::move(request), wanted.edges});
+    worker_.request({std::move(request), paths_of(state), wanted.edges});
     requested_ = wanted;
     requested_at_s_ = now_s;
   }
@@ -128,7 +142,7 @@ ViewDirector::Shown ViewDirector::shown_by(const WorkbenchState& state) const {
   shown.playhead_s = state.playhead_s;
   if (!state.live && shown.demonstration != nullptr) shown.edges = state.edges;
   shown.insight = state.insight.get();
-  shown.comparison = drawn_comparison(state);
+  shown.comparison = drawn_comparison(state).get();
   shown.field = state.field;
   shown.rollouts = state.rollouts;
   shown.X_WC = camera_of(state).X_WC.matrix();
@@ -139,7 +153,7 @@ ViewDirector::Shown ViewDirector::shown_by(const WorkbenchState& state) const {
   return shown;
 }
 
-ViewRequest ViewDirector::request_for(const WorkbenchState& state) {
+ViewRequest ViewDirector::request_for(const WorkbenchState& state) const {
   ViewRequest request;
   const auto demonstration = selected(state);
   if (state.live) {
@@ -153,7 +167,6 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) {
   } else {
     request.pose = ready_;
   }
-  if (!state.live) request.paths = paths_for(state);
   if (!state.live && state.insight && state.insight->field && state.field.visible) {
     request.fields.push_back(field_layer(state.insight->field, state.field));
     request.options.lattice_frame = true;
@@ -165,32 +178,32 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) {
   return request;
 }
 
-std::shared_ptr<const std::vector<stage::PathLayer>> ViewDirector::paths_for(const WorkbenchState& state) {
-  const auto demonstration = selected(state);
-  const void* insight = state.insight.get();
-  const ComparisonView* comparison = drawn_comparison(state);
-  if (paths_ && paths_comparison_ == comparison && paths_demonstration_ == demonstration.get() &&
-      paths_insight_ == insight && paths_ghosts_ == state.rollouts.ghosts) {
-    return paths_;
+bool PathMaker::Kept::is_of(const PathsRequest& request) const {
+  return same_object(shown, request.shown) && same_object(before, request.before) &&
+         same_object(comparison, request.comparison) && same_object(rollouts, request.rollouts);
+}
+
+std::shared_ptr<const std::vector<stage::PathLayer>> PathMaker::make(const PathsRequest& request) {
+  for (auto kept = kept_.begin(); kept != kept_.end(); ++kept) {
+    if (!kept->is_of(request)) continue;
+    std::rotate(kept_.begin(), kept, kept + 1);
+    return kept_.front().paths;
   }
   auto paths = std::make_shared<std::vector<stage::PathLayer>>();
-  if (demonstration && !demonstration->gated().empty()) {
-    paths->push_back(stage::path_of(*demonstration, kinematics::ArmSide::kLeft));
-    paths->push_back(stage::path_of(*demonstration, kinematics::ArmSide::kRight));
-    if (comparison != nullptr && comparison->of.after == demonstration) {
-      add_ghost_of(*comparison->of.before, *paths);
-      add_whiskers(*comparison->comparison, *paths);
-    } else if (state.preview && state.preview->after) {
-      add_ghost_of(*state.preview->before, *paths);
+  if (request.shown && !request.shown->gated().empty()) {
+    paths->push_back(stage::path_of(*request.shown, kinematics::ArmSide::kLeft));
+    paths->push_back(stage::path_of(*request.shown, kinematics::ArmSide::kRight));
+    if (request.comparison && request.comparison->of.after == request.shown) {
+      add_ghost_of(*request.comparison->of.before, *paths);
+      add_whiskers(*request.comparison->comparison, *paths);
+    } else if (request.before) {
+      add_ghost_of(*request.before, *paths);
     }
   }
-  if (state.insight && state.rollouts.ghosts) add_ghosts(*state.insight, *paths);
-  paths_demonstration_ = demonstration.get();
-  paths_insight_ = insight;
-  paths_comparison_ = comparison;
-  paths_ghosts_ = state.rollouts.ghosts;
-  paths_ = std::move(paths);
-  return paths_;
+  if (request.rollouts) add_ghosts(*request.rollouts, *paths);
+  kept_.push_front({request.shown, request.before, request.comparison, request.rollouts, std::move(paths)});
+  if (kept_.size() > kKeptPaths) kept_.pop_back();
+  return kept_.front().paths;
 }
 
 }  // namespace trocar::workbench

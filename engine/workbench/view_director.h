@@ -1,6 +1,7 @@
 /// Decides what the 3-D view shows and how finely, and has the picture thread draw it.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,37 @@
 #include "engine/workbench/workbench_state.h"
 
 namespace trocar::workbench {
+
+/// What the paths in a view are of.
+struct PathsRequest {
+  std::shared_ptr<const demonstration::Demonstration> shown;   ///< Null: none is.
+  std::shared_ptr<const demonstration::Demonstration> before;  ///< Of the edit that is being made; null without one.
+  std::shared_ptr<const ComparisonView> comparison;            ///< That is drawn, if one is.
+  std::shared_ptr<const ModelInsight> rollouts;                ///< Whose rollouts are drawn, if any are.
+};
+
+/// So many versions are remembered, for undo and redo.
+constexpr std::size_t kKeptPaths = 3;
+
+/// Those of an hour take a while, so that it is left to the picture thread.
+/// Threads: one at a time.
+class PathMaker {
+ public:
+  std::shared_ptr<const std::vector<stage::PathLayer>> make(const PathsRequest& request);
+
+ private:
+  using Paths = std::shared_ptr<const std::vector<stage::PathLayer>>;
+  /// As of `PathsRequest`; a version that nobody shows any more is not to stay in memory for this.
+  struct Kept {
+    std::weak_ptr<const demonstration::Demonstration> shown;
+    std::weak_ptr<const demonstration::Demonstration> before;
+    std::weak_ptr<const ComparisonView> comparison;
+    std::weak_ptr<const ModelInsight> rollouts;
+    Paths paths;
+    bool is_of(const PathsRequest& request) const;
+  };
+  std::deque<Kept> kept_;  ///< The newest comes first.
+};
 
 /// Keeps the view fluent: coarse pictures while something moves, a fine one once it has stood still for 150 ms, and no
 /// more than 15 a second while the simulator needs a core. Threads: the main thread.
@@ -51,8 +83,7 @@ class ViewDirector {
   };
 
   Shown shown_by(const WorkbenchState& state) const;
-  ViewRequest request_for(const WorkbenchState& state);
-  std::shared_ptr<const std::vector<stage::PathLayer>> paths_for(const WorkbenchState& state);
+  ViewRequest request_for(const WorkbenchState& state) const;
 
   int width_ = 960;
   int height_ = 540;
@@ -60,13 +91,9 @@ class ViewDirector {
   Shown requested_;
   double requested_at_s_ = -1.0;
   bool coarse_ = true;
-  const void* paths_demonstration_ = nullptr;
-  const void* paths_insight_ = nullptr;
-  const void* paths_comparison_ = nullptr;
-  bool paths_ghosts_ = false;
-  std::shared_ptr<const std::vector<stage::PathLayer>> paths_;
   struct Asked {
-    ViewRequest view;
+    ViewRequest view;  ///< Without paths.
+    PathsRequest paths;
     std::optional<TimeSpan> edges;
   };
   LatestWorker<Asked, Answer> worker_;

@@ -17,21 +17,21 @@ Workbench::Impl::Impl(Options options_in)
         return [maker](const InsightRequest& request) { return maker->make(request); };
       }),
       preview([] { return [](const PreviewRequest& request) { return preview_of(request); }; }),
-      review([] {
-        auto maker = std::make_shared<ReviewMaker>();
+      review([distances = distances] {
+        auto maker = std::make_shared<ReviewMaker>(distances);
         return [maker](const ReviewRequest& request) { return maker->make(request); };
       }),
-      preview_review([] {
-        auto maker = std::make_shared<ReviewMaker>();
+      preview_review([distances = distances] {
+        auto maker = std::make_shared<ReviewMaker>(distances);
         return [maker](const ReviewRequest& request) { return maker->make(request); };
       }),
-      curves([] {
-        auto maker = std::make_shared<CurveMaker>();
+      curves([distances = distances] {
+        auto maker = std::make_shared<CurveMaker>(distances);
         return [maker](const CurvesRequest& request) { return maker->make(request); };
       }),
       comparison([] { return comparison_of; }),
-      library([] {
-        auto maker = std::make_shared<LibraryMaker>();
+      library([distances = distances] {
+        auto maker = std::make_shared<LibraryMaker>(distances);
         return [maker](const LibraryRequest& request) { return maker->make(request, kLibraryPiece_samples); };
       }),
       batch([] {
@@ -150,7 +150,7 @@ std::string Workbench::Impl::description_of(std::int64_t node) const {
 }
 
 void Workbench::Impl::poll_jobs() {
-  for (JobRunner* runner : {&opening, &reading, &jobs}) {
+  for (JobRunner* runner : {&opening, &reading, &editing, &jobs}) {
     for (const JobView& ended : runner->poll()) {
       if (ended.state == JobState::kFailed) log(Severity::kError, ended.title + ": " + ended.message);
       if (ended.state == JobState::kDone && !ended.hidden) log(Severity::kInfo, ended.title + ": " + ended.message);
@@ -167,9 +167,10 @@ Status Workbench::Impl::finish(double limit_s) {
   jobs.cancel_all();
   opening.cancel_all();
   reading.cancel_all();
+  editing.cancel_all();
   if (recording && !recording->stopping()) recording->stop(true);
   state.play_speed = 0.0;
-  while (recording || jobs.busy() || opening.busy() || reading.busy()) {
+  while (recording || jobs.busy() || opening.busy() || reading.busy() || editing.busy()) {
     if (std::chrono::steady_clock::now() > deadline) {
       return fail(ErrorCode::kCancelled, "the workbench was still busy when it had to end");
     }
@@ -223,7 +224,7 @@ bool Workbench::poll() {
 
 bool Workbench::busy() const {
   return impl_->jobs.busy() || !impl_->waiting_writes.empty() || impl_->opening.busy() || impl_->reading.busy() ||
-         (impl_->recording && !impl_->recording->waits()) || impl_->state.play_speed != 0.0 ||
+         impl_->editing.busy() || (impl_->recording && !impl_->recording->waits()) || impl_->state.play_speed != 0.0 ||
          impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() ||
          impl_->preview_review.pending() || impl_->curves.pending() || impl_->comparison.pending() ||
          impl_->state.library_pending || impl_->state.batch_pending || !impl_->sketches_wanted.empty() ||

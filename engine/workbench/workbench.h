@@ -23,7 +23,8 @@ class Workbench {
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
 
-  /// Never waits: edits are done at once, all else starts or queues. Errors go to the log (and to a failed job).
+  /// Never waits: edits are done at once, but for those of all of a long demonstration; all else starts or queues.
+  /// Errors go to the log (and to a failed job).
   void post(Command command);
   /// Takes in what the threads finished and moves the playhead; call once a frame. True if the state changed.
   bool poll();

@@ -135,14 +135,16 @@ void Workbench::Impl::on(const TrainModel& command) {
 void Workbench::Impl::on(const VerifyReplay& command) {
   const auto shown = demonstration(command.demonstration);
   if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", command.demonstration.value));
-  const auto work = [this, owner = file, recorded = shown->recording](Progress& progress) -> Result<JobResult> {
-    TROCAR_ASSIGN_OR_RETURN(const trial::ReplayResult replayed, trial::replay(*recorded, progress));
-    return JobResult{"verified: every state hash is the same", [this, owner, id = recorded->id, replayed]() -> Status {
-                       keep_replay(owner, id, found_of(replayed));
-                       if (replayed.verified) return {};
-                       return fail(ErrorCode::kCheckFailed, fmt::format("the replay diverged at {:.2f} s",
-                                                                        replayed.diverged_at_s.value_or(0.0)));
-                     }};
+  const auto work = [this, owner = file, shown](Progress& progress) -> Result<JobResult> {
+    TROCAR_ASSIGN_OR_RETURN(const trial::ReplayResult replayed,
+                            trial::replay(*shown->recording, shown->recorded, progress));
+    return JobResult{
+        "verified: every state hash is the same", [this, owner, id = shown->recording->id, replayed]() -> Status {
+          keep_replay(owner, id, found_of(replayed));
+          if (replayed.verified) return {};
+          return fail(ErrorCode::kCheckFailed,
+                      fmt::format("the replay diverged at {:.2f} s", replayed.diverged_at_s.value_or(0.0)));
+        }};
   };
   jobs.start("Replay " + shown->name, work);
 }

@@ -117,6 +117,9 @@ struct Workbench::Impl {
   bool attempt_now(const std::function<bool()>& attempt);
   void retry_writes();
   bool commit(const CommitEdit& command);
+  /// An edit that rewrites all of a long demonstration is made beside the window, and then committed. True if that has
+  /// begun; false if the edit is quick, or made already.
+  bool make_beside(const CommitEdit& command);
   /// Undo, redo and their like.
   bool move(const std::function<Status()>& step);
   /// Into the project that it was learned from, even if another is open by now.
@@ -142,6 +145,8 @@ struct Workbench::Impl {
   double disk_looked_s = -1e9;
   std::optional<ViewDirector> view;
   FilmstripMaker filmstrip;
+  /// What review, its preview, curves and library work out once for all of them.
+  std::shared_ptr<review::ClearanceStore> distances = std::make_shared<review::ClearanceStore>();
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
   LatestWorker<PreviewRequest, std::shared_ptr<const EditPreview>> preview;
   LatestWorker<ReviewRequest, std::shared_ptr<const ReviewView>> review;
@@ -165,6 +170,7 @@ struct Workbench::Impl {
   JobRunner jobs;     // their threads end first
   JobRunner opening;  // a project opens at once, whatever else runs
   JobRunner reading;  // so does a file that is to be imported
+  JobRunner editing;  // so does what takes a while of an edit
 };
 
 }  // namespace trocar::workbench

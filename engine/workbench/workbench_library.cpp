@@ -9,6 +9,8 @@ namespace {
 
 /// Each costs as much as an undo where it is no neighbour of the one before.
 constexpr int kSketchesAtOnce = 2;
+/// Kept at most; each takes about two kilobytes.
+constexpr std::size_t kMostSketches = 4096;
 
 }  // namespace
 
@@ -81,6 +83,7 @@ void Workbench::Impl::keep_replay(const std::shared_ptr<ProjectFile>& owner, dem
 }
 
 void Workbench::Impl::on(const SketchHistory& command) {
+  if (state.sketches.size() > kMostSketches) state.sketches.clear();  // Those that are seen are asked for again.
   sketches_wanted = command.nodes;
   std::erase_if(sketches_wanted, [this](std::int64_t node) { return state.sketches.contains(node); });
   std::sort(sketches_wanted.begin(), sketches_wanted.end(), std::greater<>());

@@ -1,6 +1,7 @@
 // What changes the document, and what happens to it while another program is writing to the project.
 #include <fmt/format.h>
 
+#include "engine/demonstration/edits.h"
 #include "engine/demonstration/join.h"
 #include "engine/workbench/workbench_impl.h"
 
@@ -10,6 +11,24 @@ namespace {
 constexpr int kUsualPatience_ms = 500;
 /// Then it is given up, and said to be.
 constexpr double kLongestWait_s = 15.0;
+/// Edits of so many samples are made within a frame.
+constexpr std::size_t kAtOnce_samples = 20'000;
+
+using demonstration::Demonstration;
+
+/// Whether an edit makes all samples of a demonstration anew, or of a span that may be all of it.
+bool rewrites_all(const demonstration::Edit& edit) {
+  using namespace demonstration;
+  return std::holds_alternative<Offset>(edit) || std::holds_alternative<Smooth>(edit) ||
+         std::holds_alternative<Simplify>(edit) || std::holds_alternative<Resample>(edit) ||
+         std::holds_alternative<Retime>(edit) || std::holds_alternative<SnapToGrid>(edit) ||
+         std::holds_alternative<Mirror>(edit) || std::holds_alternative<Retarget>(edit) ||
+         std::holds_alternative<Perturb>(edit);
+}
+
+bool same(const demonstration::Edit& a, const demonstration::Edit& b) {
+  return name_of(a) == name_of(b) && to_json(a) == to_json(b);
+}
 
 }  // namespace
 
@@ -39,6 +58,33 @@ void Workbench::Impl::retry_writes() {
   if (waiting_writes.empty() || options.clock->now_s() - waiting_since_s < kLongestWait_s) return;
   waiting_writes.clear();
   log(Severity::kError, "What waited was given up: the project is open in another program that is writing to it");
+}
+
+bool Workbench::Impl::make_beside(const CommitEdit& command) {
+  const auto* change = std::get_if<EditDemonstration>(&command.edit);
+  if (change == nullptr || !rewrites_all(change->edit)) return false;
+  const auto before = demonstration(change->demonstration);
+  if (!before || before->samples.size() <= kAtOnce_samples) return false;
+  // As it is shown already, while its parameters were chosen.
+  const auto shown = state.preview;
+  if (shown && shown->after && shown->entry == 0 && shown->before == before && same(shown->edit, change->edit)) {
+    file->prepare(before, change->edit, shown->after);
+    return false;
+  }
+  const auto work = [this, owner = file, before, command, edit = change->edit](Progress&) -> Result<JobResult> {
+    TROCAR_ASSIGN_OR_RETURN(Demonstration made, demonstration::transformed(*before, edit, 0));
+    const auto after = std::make_shared<const Demonstration>(std::move(made));
+    return JobResult{"", [this, owner, before, command, edit, after]() -> Status {
+                       if (owner != file || demonstration(before->id) != before) {
+                         return fail(ErrorCode::kCheckFailed, "the demonstration was changed meanwhile");
+                       }
+                       file->prepare(before, edit, after);
+                       write([this, command] { return commit(command); });
+                       return {};
+                     }};
+  };
+  editing.start(fmt::format("Edit {}", before->name), work, true);
+  return true;
 }
 
 bool Workbench::Impl::commit(const CommitEdit& command) {
@@ -94,6 +140,7 @@ Status Workbench::Impl::keep_model(const std::shared_ptr<ProjectFile>& owner,
 }
 
 void Workbench::Impl::on(const CommitEdit& command) {
+  if (file && make_beside(command)) return;
   write([this, command] { return commit(command); });
 }
 

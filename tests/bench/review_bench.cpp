@@ -4,6 +4,7 @@
 
 #include "engine/demonstration/edits.h"
 #include "engine/review/review.h"
+#include "tests/support/document_samples.h"
 #include "tests/support/recorded_transfer.h"
 
 namespace {
@@ -15,7 +16,7 @@ constexpr std::size_t kSamplesInAMinute = 60 * 200;
 /// An expert's transfers one after the other, as long as a minute.
 demonstration::Demonstration minute() {
   const demonstration::Demonstration one = testing::transfer(1);
-  demonstration::Recording recording = *one.recording;
+  demonstration::Recording recording = testing::recording_of(one);
   const std::vector<demonstration::Sample> samples = recording.samples;
   while (recording.samples.size() < kSamplesInAMinute) {
     demonstration::Sample next = samples[recording.samples.size() % samples.size()];

@@ -115,7 +115,7 @@ std::vector<Report> run_and_kill(const std::filesystem::path& path, std::uint64_
 /// Samples of a recording in the project, at any point of its history; 0 if it is not there.
 std::size_t samples_of(const ProjectFile& file, std::int64_t recording) {
   for (const auto& [id, document] : file.project()->demonstrations) {
-    if (document->recording->id.value == recording) return document->recording->samples.size();
+    if (document->recording->id.value == recording) return document->recorded.size();
   }
   return 0;
 }

@@ -61,4 +61,12 @@ inline demonstration::Demonstration slow_demonstration(int count, double rate_hz
       .value();
 }
 
+/// What a demonstration was made of, as it was recorded.
+inline demonstration::Recording recording_of(const demonstration::Demonstration& document) {
+  demonstration::Recording recording;
+  static_cast<demonstration::RecordingInfo&>(recording) = *document.recording;
+  recording.samples = document.recorded.to_vector();
+  return recording;
+}
+
 }  // namespace trocar::testing

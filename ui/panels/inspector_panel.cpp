@@ -15,7 +15,7 @@ namespace {
 using workbench::Command;
 using workbench::ModelEntry;
 
-void draw_provenance(Ui& ui, const demonstration::Recording& recording) {
+void draw_provenance(Ui& ui, const demonstration::RecordingInfo& recording) {
   const demonstration::Provenance& origin = recording.provenance;
   const Scope scope(ui, "Origin");
   heading(ui, "Origin");

@@ -174,6 +174,7 @@ void TimelinePanel::draw_lane_area(Ui& ui, const WorkbenchState& state, const de
   now.gate_out_s = mouse_.gate_out_s(shown);
   data_.update(shown, range_, std::max(static_cast<int>(now.lanes.width() / 2.0F), 1));
   ask(ui, now, requests);
+  if (data_.pending()) ui.animate();
   ImGui::PushClipRect({now.names.x0, now.ruler.y0}, {area.x1, area.y1}, true);
   draw_ruler(ui, now, time_->ruler, data_.grid_steps());
   // Also while they are worked out anew: most of them stay. While an edit is made, those of what it would leave.

@@ -164,7 +164,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit)
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t step, step_of(edit, document.samples, first, last));
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t length, length_of(edit, lines, to.tick - from.tick, step));
   // What the arm that is not bridged does goes on, stretched if need be.
-  const std::vector<Sample> before = document.samples.slice(first, last + 1 - first).to_vector();
+  const SampleTrack before = document.samples.slice(first, last + 1 - first);
   TrackReader reader(before);
   std::vector<Sample> made;
   for (const std::int64_t tick : times_of(edit, step, length)) {
@@ -176,8 +176,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Bridge& edit)
     sample.tick = from.tick + tick;
     made.push_back(sample);
   }
-  return with_other_length(document, first + 1, last - first - 1, SampleTrack(std::move(made)),
-                           length - (to.tick - from.tick));
+  return with_other_length(document, first + 1, last - first - 1, SampleTrack(made), length - (to.tick - from.tick));
 }
 
 }  // namespace trocar::demonstration

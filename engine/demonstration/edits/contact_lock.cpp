@@ -29,36 +29,40 @@ double eased(double distance_s, double held_s) {
 
 /// For each sample the time to the nearest event before it, walking in the order of `order`.
 template <typename Order>
-void spread(const std::vector<Sample>& samples, const std::vector<bool>& event, std::vector<double>& nearest_s,
+void spread(const std::vector<double>& times_s, const std::vector<bool>& event, std::vector<double>& nearest_s,
             Order order) {
   double last_s = std::numeric_limits<double>::infinity();
   bool seen = false;
-  for (std::size_t step = 0; step < samples.size(); ++step) {
+  for (std::size_t step = 0; step < times_s.size(); ++step) {
     const std::size_t i = order(step);
     if (event[i]) {
-      last_s = samples[i].t_s();
+      last_s = times_s[i];
       seen = true;
     }
-    if (seen) nearest_s[i] = std::min(nearest_s[i], std::abs(samples[i].t_s() - last_s));
+    if (seen) nearest_s[i] = std::min(nearest_s[i], std::abs(times_s[i] - last_s));
   }
 }
 
 }  // namespace
 
-ContactLock::ContactLock(const std::vector<Sample>& samples, What what) : freedom_(samples.size(), 1.0) {
+ContactLock::ContactLock(const SampleTrack& samples, What what) : freedom_(samples.size(), 1.0) {
   if (samples.empty()) return;
   std::vector<bool> event(samples.size(), false);
+  std::vector<double> times_s;
+  times_s.reserve(samples.size());
   constexpr std::uint32_t kContacts = kLeftHolds | kRightHolds;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    event[i] = (what.contacts && ((samples[i].flags ^ samples[i - 1].flags) & kContacts) != 0) ||
-               (what.jaws && jaw_moves(samples[i - 1], samples[i]));
+  Sample before = samples.front();
+  for (const Sample& sample : samples) {
+    event[times_s.size()] = (what.contacts && ((sample.flags ^ before.flags) & kContacts) != 0) ||
+                            (what.jaws && !times_s.empty() && jaw_moves(before, sample));
+    before = sample;
+    times_s.push_back(sample.t_s());
   }
   std::vector<double> nearest_s(samples.size(), std::numeric_limits<double>::infinity());
-  spread(samples, event, nearest_s, [](std::size_t step) { return step; });
-  spread(samples, event, nearest_s, [&](std::size_t step) { return samples.size() - 1 - step; });
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double from_end_s =
-        std::min(samples[i].t_s() - samples.front().t_s(), samples.back().t_s() - samples[i].t_s());
+  spread(times_s, event, nearest_s, [](std::size_t step) { return step; });
+  spread(times_s, event, nearest_s, [&](std::size_t step) { return times_s.size() - 1 - step; });
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    const double from_end_s = std::min(times_s[i] - times_s.front(), times_s.back() - times_s[i]);
     freedom_[i] = std::min(what.ends ? eased(from_end_s, 0.0) : 1.0, eased(nearest_s[i], kHeld_s));
   }
 }

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/demonstration/recording.h"
+#include "engine/demonstration/sample_track.h"
 
 namespace trocar::demonstration {
 
@@ -16,8 +16,8 @@ class ContactLock {
     bool jaws = false;
   };
   /// Samples by increasing tick.
-  explicit ContactLock(const std::vector<Sample>& samples) : ContactLock(samples, What{}) {}
-  ContactLock(const std::vector<Sample>& samples, What what);
+  explicit ContactLock(const SampleTrack& samples) : ContactLock(samples, What{}) {}
+  ContactLock(const SampleTrack& samples, What what);
   /// 0 where nothing may move, 1 where all may, smooth in between. Precondition: `i` is the index of a sample.
   double freedom(std::size_t i) const { return freedom_[i]; }
 

@@ -114,13 +114,11 @@ Result<Demonstration> made_by(const Demonstration& document, const RotateTool& e
 
 Result<Demonstration> made_by(const Demonstration& document, const Offset& edit) {
   TROCAR_RETURN_IF_ERROR(check_shift(edit.by_m));
-  Stretch all{0, document.samples.to_vector()};
-  for (Sample& sample : all.samples) {
+  return with_changed(document, {0, document.samples}, [&](Sample& sample, std::size_t) {
     for (const std::size_t arm : indices_of(edit.arms)) {
       displace(sample, arm, edit.by_m, Eigen::Quaterniond::Identity(), document.block);
     }
-  }
-  return with_stretch(document, std::move(all));
+  });
 }
 
 Result<Demonstration> made_by(const Demonstration& document, const Perturb& edit) {
@@ -132,17 +130,15 @@ Result<Demonstration> made_by(const Demonstration& document, const Perturb& edit
   if (document.duration_s() / edit.period_s > 1e7) {
     return fail(ErrorCode::kInvalidArgument, "the period is too short for so long a demonstration");
   }
-  TROCAR_ASSIGN_OR_RETURN(Stretch stretch, stretch_of(document, document.begin_s, document.end_s, 2));
-  const ContactLock lock(stretch.samples);
+  TROCAR_ASSIGN_OR_RETURN(const TrackPart part, part_of(document, document.begin_s, document.end_s, 2));
+  const ContactLock lock(part.samples);
   std::array<Wander, 2> wander{Wander(edit, 0), Wander(edit, 1)};
-  for (std::size_t i = 0; i < stretch.samples.size(); ++i) {
-    Sample& sample = stretch.samples[i];
+  return with_changed(document, part, [&](Sample& sample, std::size_t i) {
     const double t_s = document.time_of(sample) - document.begin_s;
     for (std::size_t arm = 0; arm < 2; ++arm) {
       displace(sample, arm, lock.freedom(i) * wander[arm].at(t_s), Eigen::Quaterniond::Identity(), document.block);
     }
-  }
-  return with_stretch(document, std::move(stretch));
+  });
 }
 
 }  // namespace trocar::demonstration

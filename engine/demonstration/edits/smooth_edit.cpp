@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/demonstration/edits/contact_lock.h"
@@ -94,21 +95,27 @@ Path filtered(const Path& path, const Smooth& edit, double step_s) {
 Result<Demonstration> made_by(const Demonstration& document, const Smooth& edit) {
   TROCAR_RETURN_IF_ERROR(check_positive(edit.width_s, "the width of the window"));
   TROCAR_RETURN_IF_ERROR(check_positive(edit.max_deviation_m, "the greatest deviation"));
-  TROCAR_ASSIGN_OR_RETURN(Stretch stretch, stretch_of(document, edit.from_s, edit.to_s, 3));
-  const double covered_s = stretch.samples.back().t_s() - stretch.samples.front().t_s();
-  const double step_s = covered_s / static_cast<double>(stretch.samples.size() - 1);
-  const ContactLock lock(stretch.samples, {edit.lock_contacts, edit.lock_ends, edit.lock_jaws});
+  TROCAR_ASSIGN_OR_RETURN(const TrackPart part, part_of(document, edit.from_s, edit.to_s, 3));
+  const double covered_s = part.samples.back().t_s() - part.samples.front().t_s();
+  const double step_s = covered_s / static_cast<double>(part.samples.size() - 1);
+  const ContactLock lock(part.samples, {edit.lock_contacts, edit.lock_ends, edit.lock_jaws});
+  std::array<Path, 2> by_m;
   for (const std::size_t arm : indices_of(edit.arms)) {
     Path path;
-    for (const Sample& sample : stretch.samples) path.push_back(measured_tip(sample, arm));
-    const Path smooth = filtered(path, edit, step_s);
+    path.reserve(part.samples.size());
+    for (const Sample& sample : part.samples) path.push_back(measured_tip(sample, arm));
+    by_m[arm] = filtered(path, edit, step_s);
     for (std::size_t i = 0; i < path.size(); ++i) {
-      Eigen::Vector3d by_m = lock.freedom(i) * (smooth[i] - path[i]);
-      if (by_m.norm() > edit.max_deviation_m) by_m *= edit.max_deviation_m / by_m.norm();
-      displace(stretch.samples[i], arm, by_m, Eigen::Quaterniond::Identity(), document.block);
+      Eigen::Vector3d& by = by_m[arm][i];
+      by = lock.freedom(i) * (by - path[i]);
+      if (by.norm() > edit.max_deviation_m) by *= edit.max_deviation_m / by.norm();
     }
   }
-  return with_stretch(document, std::move(stretch));
+  return with_changed(document, part, [&](Sample& sample, std::size_t i) {
+    for (const std::size_t arm : indices_of(edit.arms)) {
+      displace(sample, arm, by_m[arm][i], Eigen::Quaterniond::Identity(), document.block);
+    }
+  });
 }
 
 }  // namespace trocar::demonstration

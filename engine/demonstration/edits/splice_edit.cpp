@@ -49,13 +49,14 @@ Result<Shifts> shifts_of(const Demonstration& document, const Clip& clip, const 
 /// The clip's samples moved; shared where nothing moves.
 SampleTrack moved(const Clip& clip, const Shifts& by) {
   if (by[0].isZero(0.0) && by[1].isZero(0.0)) return clip.samples;
-  std::vector<Sample> samples = clip.samples.to_vector();
-  for (Sample& sample : samples) {
+  BlockBuilder made;
+  for (Sample sample : clip.samples) {
     for (std::size_t arm = 0; arm < by.size(); ++arm) {
       displace(sample, arm, by[arm], Eigen::Quaterniond::Identity(), clip.block);
     }
+    made.add(sample);
   }
-  return SampleTrack(std::move(samples));
+  return SampleTrack(made.take());
 }
 
 /// Where the clip goes: the samples that it replaces, and the tick of its first.

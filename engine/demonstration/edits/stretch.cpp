@@ -48,20 +48,25 @@ Status check_positive(double value, std::string_view what) {
   return fail(ErrorCode::kInvalidArgument, fmt::format("{} must be a number above 0", what));
 }
 
-Result<Stretch> stretch_of(const Demonstration& document, double from_s, double to_s, std::size_t fewest) {
+Result<TrackPart> part_of(const Demonstration& document, double from_s, double to_s, std::size_t fewest) {
   TROCAR_RETURN_IF_ERROR(check_range(from_s, to_s));
-  const SampleTrack inside = document.samples_within(from_s, to_s);
+  SampleTrack inside = document.samples_within(from_s, to_s);
   if (inside.size() < fewest) {
     return fail(ErrorCode::kInvalidArgument, fmt::format("{:.3f}–{:.3f} s holds {} samples, and {} are needed", from_s,
                                                          to_s, inside.size(), fewest));
   }
-  return Stretch{document.samples.lower_bound(inside.tick(0)), inside.to_vector()};
+  return TrackPart{document.samples.lower_bound(inside.tick(0)), std::move(inside)};
+}
+
+Result<Stretch> stretch_of(const Demonstration& document, double from_s, double to_s, std::size_t fewest) {
+  TROCAR_ASSIGN_OR_RETURN(const TrackPart part, part_of(document, from_s, to_s, fewest));
+  return Stretch{part.first, part.samples.to_vector()};
 }
 
 Demonstration with_stretch(const Demonstration& document, Stretch stretch) {
   Demonstration edited = document;
   const std::size_t count = stretch.samples.size();
-  edited.samples = document.samples.replaced(stretch.first, count, std::move(stretch.samples));
+  edited.samples = document.samples.replaced(stretch.first, count, SampleTrack(stretch.samples));
   return edited;
 }
 
@@ -119,10 +124,10 @@ Sample between(const Sample& a, const Sample& b, std::int64_t tick) {
 }
 
 Sample TrackReader::at(double tick) {
-  while (next_ < samples_.size() && static_cast<double>(samples_[next_].tick) <= tick) ++next_;
-  const Sample& before = samples_[next_ - 1];
+  while (next_ < samples_.size() && static_cast<double>(samples_.tick(next_)) <= tick) ++next_;
+  const Sample before = samples_[next_ - 1];
   if (next_ == samples_.size() || static_cast<double>(before.tick) >= tick) return before;
-  const Sample& after = samples_[next_];
+  const Sample after = samples_[next_];
   // In thousandths of a tick, so that `between` can work with whole numbers.
   constexpr double kFine = 1000.0;
   Sample low = before;

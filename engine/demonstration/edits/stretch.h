@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "engine/demonstration/demonstration.h"
@@ -24,6 +25,29 @@ struct Stretch {
 /// The samples from `from_s` to `to_s`, both included.
 /// Errors: those of `check_range`; kInvalidArgument if there are fewer than `fewest` of them.
 Result<Stretch> stretch_of(const Demonstration& document, double from_s, double to_s, std::size_t fewest);
+
+/// The same, shared and not copied.
+struct TrackPart {
+  std::size_t first = 0;  ///< In the document's track.
+  SampleTrack samples;
+};
+/// Errors: as `stretch_of`.
+Result<TrackPart> part_of(const Demonstration& document, double from_s, double to_s, std::size_t fewest);
+
+/// The document with each sample of the part as `change(sample, i)` leaves it, at the same tick. They are unpacked one
+/// by one: an hour of them takes no more room than it needs.
+template <typename Change>
+Demonstration with_changed(const Demonstration& document, const TrackPart& part, const Change& change) {
+  BlockBuilder made;
+  std::size_t i = 0;
+  for (Sample sample : part.samples) {
+    change(sample, i++);
+    made.add(sample);
+  }
+  Demonstration edited = document;
+  edited.samples = document.samples.replaced(part.first, part.samples.size(), SampleTrack(made.take()));
+  return edited;
+}
 
 /// The document with the stretch's samples, as many and at the same ticks, in place of its own.
 Demonstration with_stretch(const Demonstration& document, Stretch stretch);
@@ -47,12 +71,12 @@ Sample between(const Sample& a, const Sample& b, std::int64_t tick);
 /// The sample of a track at any time between its first and last.
 class TrackReader {
  public:
-  explicit TrackReader(const std::vector<Sample>& samples) : samples_(samples) {}
+  explicit TrackReader(SampleTrack samples) : samples_(std::move(samples)) {}
   /// Ticks need not be whole. Precondition: at least one sample; calls by increasing `tick` are quick.
   Sample at(double tick);
 
  private:
-  const std::vector<Sample>& samples_;
+  SampleTrack samples_;
   std::size_t next_ = 1;
 };
 

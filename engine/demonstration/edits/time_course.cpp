@@ -24,11 +24,11 @@ double step_m(const Sample& a, const Sample& b) {
 }
 
 /// Sample i of `samples` comes at `ticks[i]` from the first; straight in between.
-TimeCourse through(const std::vector<Sample>& samples, std::vector<double> ticks) {
+TimeCourse through(const SampleTrack& samples, std::vector<double> ticks) {
   const double length = ticks.back();
   std::vector<std::int64_t> old;
   old.reserve(samples.size());
-  for (const Sample& sample : samples) old.push_back(sample.tick);
+  for (std::size_t i = 0; i < samples.size(); ++i) old.push_back(samples.tick(i));
   const auto old_at = [old = std::move(old), ticks = std::move(ticks)](double wanted) {
     const auto after = std::upper_bound(ticks.begin() + 1, ticks.end() - 1, wanted);
     const auto piece = static_cast<std::size_t>(after - ticks.begin()) - 1;
@@ -39,14 +39,16 @@ TimeCourse through(const std::vector<Sample>& samples, std::vector<double> ticks
   return {length, old_at, false};
 }
 
-Result<TimeCourse> by_speed(const std::vector<Sample>& samples, const Retime& edit) {
+Result<TimeCourse> by_speed(const SampleTrack& samples, const Retime& edit) {
   TROCAR_RETURN_IF_ERROR(check_positive(edit.speed_m_s, "the speed"));
   const double per_tick_m = edit.speed_m_s / kPerSecond;
   double path_m = 0.0;
   std::vector<double> ticks{0.0};
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const double way_m = step_m(samples[i - 1], samples[i]);
-    const auto was = static_cast<double>(samples[i].tick - samples[i - 1].tick);
+  Sample before = samples.front();
+  for (const Sample& sample : samples.slice(1, samples.size())) {
+    const double way_m = step_m(before, sample);
+    const auto was = static_cast<double>(sample.tick - before.tick);
+    before = sample;
     const double needed = way_m / per_tick_m;
     ticks.push_back(ticks.back() + (edit.mode == RetimeTo::kSpeedCap ? std::max(was, needed) : needed));
     path_m += way_m;
@@ -57,17 +59,17 @@ Result<TimeCourse> by_speed(const std::vector<Sample>& samples, const Retime& ed
   return through(samples, std::move(ticks));
 }
 
-TimeCourse even(const std::vector<Sample>& samples, double factor) {
+TimeCourse even(const SampleTrack& samples, double factor) {
   std::vector<double> ticks{0.0};
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    ticks.push_back(ticks.back() + factor * static_cast<double>(samples[i].tick - samples[i - 1].tick));
+    ticks.push_back(ticks.back() + factor * static_cast<double>(samples.tick(i) - samples.tick(i - 1)));
   }
   TimeCourse course = through(samples, std::move(ticks));
   course.even = true;
   return course;
 }
 
-Result<TimeCourse> warped(const std::vector<Sample>& samples, const Retime& edit, std::int64_t first_tick) {
+Result<TimeCourse> warped(const SampleTrack& samples, const Retime& edit, std::int64_t first_tick) {
   const double begin_s = Tick{samples.front().tick - first_tick}.seconds();
   const double end_s = Tick{samples.back().tick - first_tick}.seconds();
   TROCAR_ASSIGN_OR_RETURN(const std::vector<Eigen::Vector2d> knots, warp_knots(edit.knots_s, begin_s, end_s));
@@ -80,7 +82,7 @@ Result<TimeCourse> warped(const std::vector<Sample>& samples, const Retime& edit
   return TimeCourse{length, [curve = MonotoneCurve(std::move(points))](double tick) { return curve.at(tick); }, false};
 }
 
-Result<TimeCourse> without_ease(const std::vector<Sample>& samples, const Retime& edit, std::int64_t first_tick) {
+Result<TimeCourse> without_ease(const SampleTrack& samples, const Retime& edit, std::int64_t first_tick) {
   switch (edit.mode) {
     case RetimeTo::kScale:
       TROCAR_RETURN_IF_ERROR(check_positive(edit.scale, "the scale"));
@@ -142,7 +144,7 @@ double TimeCourse::share_at(double share) const {
   return 0.5 * (low + high) / length;
 }
 
-Result<TimeCourse> time_course(const std::vector<Sample>& samples, const Retime& edit, std::int64_t first_tick) {
+Result<TimeCourse> time_course(const SampleTrack& samples, const Retime& edit, std::int64_t first_tick) {
   TROCAR_ASSIGN_OR_RETURN(TimeCourse plain, without_ease(samples, edit, first_tick));
   TROCAR_ASSIGN_OR_RETURN(TimeCourse course, with_ease(std::move(plain), edit));
   if (course.length > kLongest_s * kPerSecond) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/demonstration/edit.h"
+#include "engine/demonstration/sample_track.h"
 
 namespace trocar::demonstration {
 
@@ -20,7 +21,7 @@ struct TimeCourse {
 
 /// Precondition: at least two samples, by tick; their times in knots count from `first_tick`.
 /// Errors: kInvalidArgument for parameters that make no course, or one of no duration or of more than an hour.
-Result<TimeCourse> time_course(const std::vector<Sample>& samples, const Retime& edit, std::int64_t first_tick);
+Result<TimeCourse> time_course(const SampleTrack& samples, const Retime& edit, std::int64_t first_tick);
 
 /// The same in `ticks`, more or fewer.
 TimeCourse fitted(TimeCourse course, double ticks);

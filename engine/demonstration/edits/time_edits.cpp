@@ -38,16 +38,22 @@ void put_at(CompactPose& pose, const Eigen::Vector3d& p) {
   for (std::size_t axis = 0; axis < 3; ++axis) pose.p[axis] = static_cast<float>(p[static_cast<Eigen::Index>(axis)]);
 }
 
-/// Puts the positions of `sample`, which lies at `share` of the way from `before` to the next, onto cubics.
-void bend(Sample& sample, const std::vector<Sample>& samples, std::size_t before, double share) {
+/// A sample and its next one, with a further neighbour on either side; at an end it is its own neighbour.
+using Neighbours = std::array<Sample, 4>;
+
+Neighbours neighbours_of(const SampleTrack& samples, std::size_t before) {
   const std::size_t last = samples.size() - 1;
-  const std::array<std::size_t, 4> near{before == 0 ? 0 : before - 1, before, std::min(before + 1, last),
-                                        std::min(before + 2, last)};
+  return {samples[before == 0 ? 0 : before - 1], samples[before], samples[std::min(before + 1, last)],
+          samples[std::min(before + 2, last)]};
+}
+
+/// Puts the positions of `sample`, which lies at `share` of the way between the inner two, onto cubics.
+void bend(Sample& sample, const Neighbours& near, double share) {
   std::array<double, 4> at{};
-  for (std::size_t i = 0; i < near.size(); ++i) at[i] = static_cast<double>(samples[near[i]].tick);
+  for (std::size_t i = 0; i < near.size(); ++i) at[i] = static_cast<double>(near[i].tick);
   const auto through = [&](const auto& where) {
     std::array<Eigen::Vector3d, 4> points;
-    for (std::size_t i = 0; i < near.size(); ++i) points[i] = where(samples[near[i]]);
+    for (std::size_t i = 0; i < near.size(); ++i) points[i] = where(near[i]);
     return cubic(points, at, share);
   };
   for (std::size_t arm = 0; arm < 2; ++arm) {
@@ -62,24 +68,28 @@ void bend(Sample& sample, const std::vector<Sample>& samples, std::size_t before
 }
 
 /// Every `step` ticks up to the last of `samples`.
-std::vector<Sample> resampled(const std::vector<Sample>& samples, std::int64_t step, ResampleBy method) {
-  std::vector<Sample> result;
+SampleTrack resampled(const SampleTrack& samples, std::int64_t step, ResampleBy method) {
+  BlockBuilder result;
   TrackReader reader(samples);
   std::size_t before = 0;
-  for (std::int64_t tick = samples.front().tick; tick <= samples.back().tick; tick += step) {
-    while (before + 2 < samples.size() && samples[before + 1].tick <= tick) ++before;
-    const Sample& low = samples[before];
-    const Sample& high = samples[std::min(before + 1, samples.size() - 1)];
+  Neighbours near = neighbours_of(samples, before);
+  const std::int64_t last = samples.tick(samples.size() - 1);
+  for (std::int64_t tick = samples.tick(0); tick <= last; tick += step) {
+    const std::size_t was = before;
+    while (before + 2 < samples.size() && samples.tick(before + 1) <= tick) ++before;
+    if (before != was) near = neighbours_of(samples, before);
+    const Sample& low = near[1];
+    const Sample& high = near[2];
     const double share =
         high.tick > low.tick
             ? std::clamp(static_cast<double>(tick - low.tick) / static_cast<double>(high.tick - low.tick), 0.0, 1.0)
             : 0.0;
     Sample sample = method == ResampleBy::kNearest ? (share < 0.5 ? low : high) : reader.at(static_cast<double>(tick));
-    if (method == ResampleBy::kCubic && share > 0.0 && share < 1.0) bend(sample, samples, before, share);
+    if (method == ResampleBy::kCubic && share > 0.0 && share < 1.0) bend(sample, near, share);
     sample.tick = tick;
-    result.push_back(sample);
+    result.add(sample);
   }
-  return result;
+  return SampleTrack(result.take());
 }
 
 }  // namespace
@@ -97,33 +107,35 @@ Result<Demonstration> made_by(const Demonstration& document, const Resample& edi
     return fail(ErrorCode::kInvalidArgument, "that would make more than ten million samples");
   }
   Demonstration edited = document;
-  edited.samples = SampleTrack(resampled(document.samples.to_vector(), std::llround(step), edit.method));
+  edited.samples = resampled(document.samples, std::llround(step), edit.method);
   edited.end_s = std::min(edited.end_s, edited.full_duration_s());
   if (edited.samples.size() >= 2 && edited.gated().size() >= 2) return edited;
   return fail(ErrorCode::kInvalidArgument, "fewer than 2 samples would stay");
 }
 
 Result<Demonstration> made_by(const Demonstration& document, const Retime& edit) {
-  TROCAR_ASSIGN_OR_RETURN(Stretch stretch, stretch_of(document, edit.from_s, edit.to_s, 2));
-  const std::vector<Sample>& samples = stretch.samples;
+  TROCAR_ASSIGN_OR_RETURN(const TrackPart part, part_of(document, edit.from_s, edit.to_s, 2));
+  const SampleTrack& samples = part.samples;
   TROCAR_ASSIGN_OR_RETURN(TimeCourse wanted, time_course(samples, edit, document.first_tick()));
   // The grid of the samples goes on behind the span, so that its length is a whole number of steps.
   constexpr std::int64_t kStep = kTicksPerSample;
   const auto length = std::max<std::int64_t>(std::llround(wanted.length / static_cast<double>(kStep)), 1) * kStep;
   const TimeCourse course = fitted(std::move(wanted), static_cast<double>(length));
-  std::vector<Sample> retimed;
+  const std::int64_t first_tick = samples.tick(0);
+  const std::int64_t old_length = samples.tick(samples.size() - 1) - first_tick;
+  BlockBuilder retimed;
   TrackReader reader(samples);
   for (std::int64_t tick = 0; tick <= length; tick += kStep) {
-    retimed.push_back(reader.at(course.old_at(static_cast<double>(tick))));
-    retimed.back().tick = samples.front().tick + tick;
+    Sample sample = reader.at(course.old_at(static_cast<double>(tick)));
+    sample.tick = first_tick + tick;
+    retimed.add(sample);
   }
-  const std::int64_t shift = length - (samples.back().tick - samples.front().tick);
-  const double old_s = Tick{samples.back().tick - samples.front().tick}.seconds();
+  const double old_s = Tick{old_length}.seconds();
   const double new_s = Tick{length}.seconds();
   const auto moved_s = [&](double t_s) {
     return t_s < old_s ? course.share_at(t_s / old_s) * new_s : t_s + new_s - old_s;
   };
-  return with_other_length(document, stretch.first, samples.size(), SampleTrack(std::move(retimed)), shift,
+  return with_other_length(document, part.first, samples.size(), SampleTrack(retimed.take()), length - old_length,
                            course.even ? std::function<double(double)>() : moved_s);
 }
 

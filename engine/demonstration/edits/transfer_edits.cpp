@@ -47,7 +47,7 @@ struct RetargetShare {
 
 /// When the right tool, holding the block in E, leaves the upper fifth of its heights for good; the middle of E where
 /// it is not known to hold.
-double begin_of_lowering(const Demonstration& document, const std::vector<Sample>& samples, const SegmentSpan& place) {
+double begin_of_lowering(const Demonstration& document, const SampleTrack& samples, const SegmentSpan& place) {
   constexpr double kUpper = 0.8;
   const auto carried = [&](const Sample& sample) {
     const double t_s = document.time_of(sample);
@@ -69,7 +69,7 @@ double begin_of_lowering(const Demonstration& document, const std::vector<Sample
   return std::max(over_s, place.begin_s + 1.0 / kSampleRate_hz);
 }
 
-Result<RetargetShare> share_of(const Demonstration& document, const std::vector<Sample>& samples) {
+Result<RetargetShare> share_of(const Demonstration& document, const SampleTrack& samples) {
   const auto carry = document.segment(Segment::kC);
   const auto place = document.segment(Segment::kE);
   if (carry && place) return RetargetShare{*carry, *place, begin_of_lowering(document, samples, *place)};
@@ -79,15 +79,13 @@ Result<RetargetShare> share_of(const Demonstration& document, const std::vector<
 }  // namespace
 
 Result<Demonstration> made_by(const Demonstration& document, const Mirror& /*edit*/) {
-  Stretch all{0, document.samples.to_vector()};
-  for (Sample& sample : all.samples) {
+  return with_changed(document, {0, document.samples}, [](Sample& sample, std::size_t) {
     const ArmSample left = sample.arms[0];
     sample.arms[0] = mirrored(sample.arms[1]);
     sample.arms[1] = mirrored(left);
     for (CompactPose& block : sample.blocks) block = CompactPose::from(mirrored(block.pose()));
     sample.flags = swapped_flags(sample.flags);
-  }
-  return with_stretch(document, std::move(all));
+  });
 }
 
 Result<Demonstration> made_by(const Demonstration& document, const Retarget& edit) {
@@ -101,10 +99,9 @@ Result<Demonstration> made_by(const Demonstration& document, const Retarget& edi
   const Eigen::Vector3d to_goal = peg_board::goal_peg(edit.goal) - peg_board::goal_peg(document.goal);
   const auto from = static_cast<std::size_t>(document.block);
   const auto to = static_cast<std::size_t>(edit.block);
-  Stretch all{0, document.samples.to_vector()};
-  TROCAR_ASSIGN_OR_RETURN(const RetargetShare share, share_of(document, all.samples));
-  const Sample start = all.samples.front();
-  for (Sample& sample : all.samples) {
+  TROCAR_ASSIGN_OR_RETURN(const RetargetShare share, share_of(document, document.samples));
+  const Sample start = document.samples.front();
+  const auto retarget = [&](Sample& sample, std::size_t) {
     const double t_s = document.time_of(sample);
     const Eigen::Vector3d left_by = share.of_block(t_s) * to_block;
     const Eigen::Vector3d right_by = share.of_goal(t_s) * to_goal;
@@ -119,8 +116,8 @@ Result<Demonstration> made_by(const Demonstration& document, const Retarget& edi
     sample.blocks[to] = block;
     displace(sample, 0, left_by, Eigen::Quaterniond::Identity(), -1);
     displace(sample, 1, right_by, Eigen::Quaterniond::Identity(), -1);
-  }
-  Demonstration edited = with_stretch(document, std::move(all));
+  };
+  Demonstration edited = with_changed(document, {0, document.samples}, retarget);
   edited.block = edit.block;
   edited.goal = edit.goal;
   return edited;

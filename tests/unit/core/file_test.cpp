@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 using trocar::ErrorCode;
@@ -103,5 +105,43 @@ TEST_CASE("what is no file is never replaced by one") {
   CHECK(fs::is_fifo(folder / "pipe"));
   CHECK(fs::is_directory(folder / "folder"));
   CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}) == 3);
+  fs::remove_all(folder);
+}
+
+TEST_CASE("a file is written and read in pieces, and its pieces are whole but for the last") {
+  const fs::path folder = scratch_folder();
+  const auto make = [](const trocar::TakeBytes& take) -> trocar::Status {
+    for (int i = 0; i < 100; ++i) TROCAR_RETURN_IF_ERROR(take(std::string(7, static_cast<char>('a' + i % 26))));
+    return {};
+  };
+  REQUIRE(trocar::write_file(folder / "x", make, {}));
+  std::string all;
+  std::vector<std::size_t> sizes;
+  const auto take = [&](std::string_view piece) -> trocar::Status {
+    all += piece;
+    sizes.push_back(piece.size());
+    return {};
+  };
+  REQUIRE(trocar::read_pieces(folder / "x", 256, take));
+  CHECK(sizes == std::vector<std::size_t>{256, 256, 188});
+  CHECK(all == trocar::read_file(folder / "x").value());
+  CHECK_FALSE(trocar::read_pieces(folder / "none", 256, take));
+  fs::remove_all(folder);
+}
+
+TEST_CASE("what a check refuses is not put in place, and the check sees all that was written") {
+  const fs::path folder = scratch_folder();
+  REQUIRE(trocar::write_file(folder / "x", "old"));
+  std::string seen;
+  const auto written = trocar::write_file(
+      folder / "x", [](const trocar::TakeBytes& take) { return take("new"); },
+      [&](const fs::path& path) -> trocar::Status {
+        seen = trocar::read_file(path).value();
+        return trocar::fail(ErrorCode::kIo, "it is not good enough");
+      });
+  CHECK_FALSE(written);
+  CHECK(seen == "new");
+  CHECK(trocar::read_file(folder / "x").value() == "old");
+  CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}) == 1);
   fs::remove_all(folder);
 }

@@ -37,7 +37,7 @@ TEST_CASE("any cutting, joining, shifting and replacing does what it does to a p
         std::vector<Sample> other(begin, begin + count);
         for (Sample& sample : other) sample.flags += 16;
         std::copy(other.begin(), other.end(), begin);
-        track = track.replaced(first, count, other);
+        track = track.replaced(first, count, SampleTrack(other));
       } else {
         const std::int64_t shift = 5 * std::int64_t{random.below(100)};
         for (auto it = begin + count; it != plain.end(); ++it) it->tick += shift;

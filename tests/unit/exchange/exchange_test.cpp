@@ -49,7 +49,7 @@ Demonstration odd_demonstration(int count) {
 /// Equal to the bit, but for the first tick, from which an export counts.
 bool same_samples(const Demonstration& document, const std::vector<Sample>& read) {
   std::vector<Sample> expected = document.gated().to_vector();
-  for (Sample& sample : expected) sample.tick -= document.recording->samples.front().tick;
+  for (Sample& sample : expected) sample.tick -= document.first_tick();
   return expected.size() == read.size() &&
          std::memcmp(expected.data(), read.data(), expected.size() * sizeof(Sample)) == 0;
 }
@@ -206,4 +206,29 @@ TEST_CASE("files are written whole, read back, and named in errors") {
   CHECK(bad.error().text().ends_with("bad.csv"));
   CHECK(import_demonstration(folder / "none.csv", Format::kCsv).error().code() == ErrorCode::kIo);
   CHECK(export_demonstration(document, folder / "no/d.csv", Format::kCsv).error().code() == ErrorCode::kIo);
+}
+
+TEST_CASE("a file of several pieces reads as its bytes do at once, and names the row that is wrong in a later piece") {
+  const testing::ScratchFolder folder;
+  const Demonstration document = odd_demonstration(11000);
+  const std::string csv = to_csv(document);
+  const std::string npy = to_npy(document);
+  REQUIRE(csv.size() > std::size_t{1} << 23U);
+  REQUIRE(npy.size() > std::size_t{1} << 22U);
+  REQUIRE(write_file(folder / "a.csv", csv));
+  REQUIRE(write_file(folder / "a.npy", npy));
+  CHECK(same_samples(document, read_csv(folder / "a.csv")->recording.samples));
+  CHECK(same_samples(document, read_npy(folder / "a.npy")->recording.samples));
+  // Without the end of its last line, and with the ends of another system.
+  std::string other = csv.substr(0, csv.size() - 1);
+  for (std::size_t at = other.find('\n'); at != std::string::npos; at = other.find('\n', at + 2))
+    other.insert(at, "\r");
+  REQUIRE(write_file(folder / "b.csv", other));
+  CHECK(same_samples(document, read_csv(folder / "b.csv")->recording.samples));
+  std::string wrong = csv;
+  wrong[csv.rfind('\n', csv.size() - 2) + 1] = 'x';
+  REQUIRE(write_file(folder / "c.csv", wrong));
+  CHECK(read_csv(folder / "c.csv").error().text().starts_with("line 11001: t_s must be a number"));
+  REQUIRE(write_file(folder / "c.npy", npy.substr(0, npy.size() - 8)));
+  CHECK(read_npy(folder / "c.npy").error().text().find("do not fit") != std::string::npos);
 }

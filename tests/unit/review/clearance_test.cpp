@@ -4,6 +4,7 @@
 
 #include "engine/core/random.h"
 #include "engine/demonstration/edits.h"
+#include "engine/review/sweep.h"
 #include "engine/simulation/gripper.h"
 #include "engine/simulation/physics.h"
 #include "tests/support/document_samples.h"
@@ -166,4 +167,65 @@ TEST_CASE(
   CHECK(brute_force(sample, 0, Obstacle::kBlock, 3) == doctest::Approx(kHorizon_m));
   sample.blocks[1] = demonstration::CompactPose::from(spatial::Pose::translation({0.0, 0.004, 0.005}));
   CHECK(brute_force(sample, 0, Obstacle::kBlock, 3) < 0.0);
+}
+
+TEST_CASE("a chunk that is kept gives the reviews of which it was made") {
+  const Demonstration document = testing::transfer(1);
+  Sweep sweep(document.block);
+  std::vector<SampleReview> reviews;
+  for (const Sample& sample : document.gated().slice(2000, 300)) reviews.push_back(sweep.next(sample));
+  // One of them beyond reach, and one beyond a joint's limit.
+  reviews[7][1].reachable = false;
+  reviews[8][0].excess = {2, 0.01, 0.24};
+  const ClearanceChunk chunk(reviews);
+  REQUIRE(chunk.size() == reviews.size());
+  double least_m = kHorizon_m;
+  for (std::size_t i = 0; i < reviews.size(); ++i) {
+    const SampleReview kept = chunk[i];
+    for (std::size_t arm = 0; arm < 2; ++arm) {
+      for (std::size_t k = 0; k < kObstacleCount; ++k) {
+        CHECK(kept[arm].nearest[k].distance_m == reviews[i][arm].nearest[k].distance_m);
+        if (static_cast<double>(kept[arm].nearest[k].distance_m) >= kHorizon_m) continue;
+        CHECK(kept[arm].nearest[k].part == reviews[i][arm].nearest[k].part);
+        CHECK(kept[arm].nearest[k].index == reviews[i][arm].nearest[k].index);
+      }
+      CHECK(kept[arm].reachable == reviews[i][arm].reachable);
+      CHECK(kept[arm].excess.joint == reviews[i][arm].excess.joint);
+      least_m = std::min(least_m, reviews[i][arm].least_m());
+    }
+  }
+  CHECK(chunk.least_m() == least_m);
+}
+
+TEST_CASE("who shares a store works nothing out that another has worked out") {
+  const Demonstration document = testing::transfer(1);
+  const auto store = std::make_shared<ClearanceStore>();
+  ClearanceMaker first(store);
+  ClearanceMaker second(store);
+  const ClearanceCurve curve = first.make(document);
+  const ClearanceCurve again = second.make(document);
+  CHECK(first.worked_out() == document.gated().size());
+  CHECK(second.worked_out() == 0);
+  CHECK(again.chunks() == curve.chunks());
+}
+
+TEST_CASE("a store keeps to its budget, lets go of what was used longest ago, and finds what a curve still holds") {
+  const Demonstration document = testing::transfer(1);
+  const auto whole = std::make_shared<ClearanceStore>();
+  ClearanceMaker(whole).make(document);
+  const std::size_t half = whole->bytes() / 2;
+  const auto store = std::make_shared<ClearanceStore>(half);
+  ClearanceMaker maker(store);
+  {
+    const ClearanceCurve held = maker.make(document);
+    CHECK(store->bytes() <= half);
+    CHECK(store->count() < whole->count());
+    CHECK(store->count() > 0);
+    maker.make(document);
+    CHECK(maker.worked_out() == 0);
+  }
+  // Nobody holds it any more: what was let go of has to be worked out again.
+  maker.make(document);
+  CHECK(maker.worked_out() > 0);
+  CHECK(store->bytes() <= half);
 }

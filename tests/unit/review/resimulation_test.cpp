@@ -68,7 +68,7 @@ TEST_CASE("a tool that never comes down never lifts the block") {
 }
 
 TEST_CASE("what has no initial world cannot be simulated, and that is said") {
-  Recording recording = *transfer(1).recording;
+  Recording recording = testing::recording_of(transfer(1));
   recording.initial_world.clear();
   const auto document = make_demonstration({1}, "Import", std::make_shared<const Recording>(recording)).value();
   Progress progress;

@@ -110,7 +110,7 @@ TEST_CASE("tools that meet are one error of both") {
 }
 
 TEST_CASE("a setpoint beyond a joint is an error with the joint and the angle; an import's only a warning") {
-  Recording recording = *transfer(1).recording;
+  Recording recording = testing::recording_of(transfer(1));
   for (std::size_t i = 400; i < 420; ++i) {
     ArmSample& arm = recording.samples[i].arms[0];
     arm.set_setpoint(

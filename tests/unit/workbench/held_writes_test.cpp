@@ -117,5 +117,5 @@ TEST_CASE("a recording goes on while another program writes, and has all samples
   const auto id = writer.finish(demonstration::Outcome::kSuccess, true);
   REQUIRE(id);
   REQUIRE(file.commit(AddDemonstration{*id, "a"}));
-  CHECK(file.project()->demonstrations.begin()->second->recording->samples.size() == 401);
+  CHECK(file.project()->demonstrations.begin()->second->recorded.size() == 401);
 }

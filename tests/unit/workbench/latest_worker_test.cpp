@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <memory>
 #include <semaphore>
 #include <thread>
+#include <vector>
 
 using trocar::workbench::LatestWorker;
 
@@ -54,4 +57,20 @@ TEST_CASE("the handler is made and used in one thread that is not the owner's") 
 TEST_CASE("a worker is destroyed while requests wait") {
   LatestWorker<int, int> worker([] { return [](const int& request) { return request; }; });
   worker.request(1);
+}
+
+TEST_CASE("of requests and answers only the newest are kept") {
+  using Value = std::shared_ptr<const int>;
+  LatestWorker<Value, Value> worker([] { return [](const Value& request) { return request; }; });
+  std::vector<std::weak_ptr<const int>> given;
+  for (int i = 0; i < 20; ++i) {
+    auto value = std::make_shared<const int>(i);
+    given.push_back(value);
+    worker.request(std::move(value));
+    if (i % 3 == 0) settle(worker);
+  }
+  settle(worker);
+  const auto alive = std::count_if(given.begin(), given.end(), [](const auto& each) { return !each.expired(); });
+  CHECK(alive == 1);
+  CHECK(*worker.answer() == 19);
 }

@@ -271,6 +271,22 @@ TEST_CASE("measures come piece by piece, and what has not changed is not measure
   CHECK(later->rows[0].measures == measures);
 }
 
+TEST_CASE("of very many versions only the measures of those at hand are remembered") {
+  const demonstration::Demonstration one = testing::moving_demonstration(40);
+  LibraryMaker maker;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < kMostMeasures + 100; ++i) {
+    auto version = std::make_shared<demonstration::Demonstration>(one);
+    version->end_s -= 1e-6 * static_cast<double>(i);
+    auto project = std::make_shared<Project>();
+    project->demonstrations[version->id] = version;
+    CHECK(maker.make({project, {}}, 1)->unmeasured == 0);
+    most = std::max(most, maker.remembered());
+  }
+  CHECK(most == kMostMeasures);
+  CHECK(maker.remembered() < 200);
+}
+
 TEST_CASE("a filter chooses by numbers, words, marks and their combinations") {
   ThreeOf three;
   MarkChange bad;

@@ -75,7 +75,8 @@ TEST_CASE("the way is found when the edit is committed, and is the same without 
   {
     ProjectFile file = testing::created(folder / "p.trocar");
     const auto entry = testing::made_model();
-    const auto recording = file.store_recording(*jumping(*entry->model).recording);
+    const demonstration::Demonstration jumps = jumping(*entry->model);
+    const auto recording = file.store_recording(*jumps.recording, jumps.recorded);
     REQUIRE(recording);
     const DemonstrationId id{file.commit(AddDemonstration{*recording, "Jump"}).value()};
     const Edit edit = EditDemonstration{id, by_policy(0.5, 2.5)};

@@ -7,6 +7,7 @@
 
 #include "engine/core/file.h"
 #include "engine/store/project_store.h"
+#include "tests/support/document_samples.h"
 #include "tests/support/project_fixture.h"
 
 namespace fs = std::filesystem;
@@ -48,7 +49,7 @@ TEST_CASE("a demonstration comes back as it was recorded when the project is ope
   CHECK(name_of_only(file) == "First");
   const demonstration::Demonstration& document = *file.project()->demonstrations.begin()->second;
   CHECK(document.segments.size() == 5);
-  CHECK(document.recording->content_hash() == moving_recording(200).content_hash());
+  CHECK(testing::recording_of(document).content_hash() == moving_recording(200).content_hash());
   CHECK(document.recording->initial_world == moving_recording(1).initial_world);
   CHECK(document.recording->provenance.seed == 0xFFFFFFFFFFFFFFFFULL);
   CHECK(file.project()->hash() == hash);
@@ -162,10 +163,10 @@ TEST_CASE("a recording that was cut off is recovered once, with a warning, and c
     REQUIRE(diagnostics.warnings().size() == 1);
     CHECK(diagnostics.warnings()[0] == "a recording was cut off after 0.5 s and has been recovered");
     CHECK(name_of_only(file) == "Recovered (0.5 s)");
-    const auto& recording = *file.project()->demonstrations.begin()->second->recording;
-    CHECK(recording.samples.size() == 100);  // Whole chunks of 50.
-    CHECK(recording.recovered);
-    CHECK(recording.initial_world == "world");
+    const auto& shown = *file.project()->demonstrations.begin()->second;
+    CHECK(shown.recorded.size() == 100);  // Whole chunks of 50.
+    CHECK(shown.recording->recovered);
+    CHECK(shown.recording->initial_world == "world");
   }
   ProjectFile again = opened(folder / "p.trocar");
   CHECK(again.project()->demonstrations.size() == 1);

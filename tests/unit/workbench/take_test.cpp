@@ -34,9 +34,9 @@ std::shared_ptr<const demonstration::Demonstration> shown(const ProjectFile& fil
   return file.project()->demonstrations.at(id);
 }
 
-bool verifies(const demonstration::Recording& recording) {
+bool verifies(const demonstration::Demonstration& document) {
   Progress progress;
-  return trial::replay(recording, progress).value().verified;
+  return trial::replay(*document.recording, document.recorded, progress).value().verified;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ TEST_CASE("a take by keys is a demonstration that verifies, and says that a scri
   CHECK(take->recording->provenance.operator_kind == "scripted");
   CHECK(take->recording->provenance.device == "key script; right arm still");
   CHECK(report.duration_s == doctest::Approx(1.5).epsilon(0.01));
-  CHECK(verifies(*take->recording));
+  CHECK(verifies(*take));
   CHECK(record(file, left_by_keys(), "0.2 end\n").name == "By hand 2");
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("a take by hand that a crash cuts off is recovered up to its last quar
   CHECK(recovered.recording->recovered);
   CHECK(recovered.recording->provenance.operator_kind == "person");
   CHECK(recovered.full_duration_s() > 1.7);
-  CHECK(verifies(*recovered.recording));
+  CHECK(verifies(recovered));
 }
 
 TEST_CASE("a take that ends before the countdown leaves nothing") {
@@ -129,7 +129,7 @@ TEST_CASE("an overdub keeps what the replayed arm did and records the other one 
     CHECK(both->samples[i].arms[0].setpoint_jaw_rad == left->samples[i].arms[0].setpoint_jaw_rad);
   }
   CHECK(both->samples.back().arms[1].setpoint_p[1] < left->samples.back().arms[1].setpoint_p[1] - 0.01);
-  CHECK(verifies(*both->recording));
+  CHECK(verifies(*both));
 }
 
 TEST_CASE("a punch-in replaces the span that was selected, begins and ends where the arms were, and is undone") {
@@ -227,9 +227,9 @@ TEST_CASE("where the world of a demonstration is not known the arms are led to w
   const ScratchFolder folder;
   ProjectFile file = created(folder / "p.trocar");
   const DemonstrationId source = record(file, left_by_keys("Source"), "0 hold D 1\n1 end\n").id;
-  demonstration::Recording imported = *shown(file, source)->recording;
+  demonstration::RecordingInfo imported = *shown(file, source)->recording;
   imported.initial_world.clear();
-  const auto stored = file.store_recording(imported);
+  const auto stored = file.store_recording(imported, shown(file, source)->recorded);
   REQUIRE(stored);
   const DemonstrationId id{file.commit(AddDemonstration{*stored, "Imported"}).value()};
   RecordByHand request = left_by_keys();
