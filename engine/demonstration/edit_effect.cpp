@@ -99,9 +99,10 @@ double energy_above(const Demonstration& document, double frequency_hz) {
   SampleTrack track = document.gated();
   if (track.size() < 4) return 0.0;
   if (track.size() > kMostPoints) track = track.slice((track.size() - kMostPoints) / 2, kMostPoints);
-  const std::vector<Sample> samples = track.to_vector();
-  const auto count = samples.size() - 1;
-  const double rate_hz = static_cast<double>(count) / (samples.back().t_s() - samples.front().t_s());
+  const auto count = track.size() - 1;
+  const auto first = static_cast<double>(track.tick(0));
+  const double length = static_cast<double>(track.tick(count)) - first;
+  const double rate_hz = static_cast<double>(count) * static_cast<double>(Tick::kPerSecond) / length;
   // Zeros behind it change no share, and powers of two are quick.
   std::size_t padded = 1;
   while (padded < count) padded *= 2;
@@ -110,11 +111,10 @@ double energy_above(const Demonstration& document, double frequency_hz) {
   double above = 0.0;
   std::vector<double> speeds(padded, 0.0);
   std::vector<std::complex<double>> waves;
-  TrackReader reader(samples);
+  TrackReader reader(track);
   std::vector<Sample> even;
-  even.reserve(samples.size());
-  const auto first = static_cast<double>(samples.front().tick);
-  const double step = static_cast<double>(samples.back().tick - samples.front().tick) / static_cast<double>(count);
+  even.reserve(track.size());
+  const double step = length / static_cast<double>(count);
   for (std::size_t i = 0; i <= count; ++i) even.push_back(reader.at(first + step * static_cast<double>(i)));
   for (std::size_t arm = 0; arm < 2; ++arm) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -72,14 +72,23 @@ class OpenWindow {
  public:
   /// `state` is told if it cannot be.
   explicit OpenWindow(benchmark::State& run, std::size_t samples) : run_(run) {
-    if (!write_project(folder_ / "hour.trocar", samples)) return refuse("the project could not be written");
+    if (!write_project(folder_ / "hour.trocar", samples)) {
+      refuse("the project could not be written");
+      return;
+    }
     auto window = ui::OsmesaWindow::create({1600, 900});
-    if (!window) return refuse(window.error().text());
+    if (!window) {
+      refuse(window.error().text());
+      return;
+    }
     window_ = std::move(*window);
     ui::Settings settings;
     settings.scale = 1.0F;
     auto application = ui::Application::create(*window_, workbench_, settings);
-    if (!application) return refuse(application.error().text());
+    if (!application) {
+      refuse(application.error().text());
+      return;
+    }
     application_ = std::move(*application);
     step();
   }

@@ -28,7 +28,8 @@ stage::Pose3d pose_at(int frame) {
   return pose;
 }
 
-double processor_s() {
+/// Processor time of the whole process, all threads of the renderer.
+double process_cpu_s() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
@@ -48,7 +49,7 @@ void frames(benchmark::State& state, const render::RenderOptions& options, bool 
   int frame = 0;
   TROCAR_CHECK(renderer->draw((*stage)->scene(pose_at(frame), {}, {}, {}), camera, options).has_value());
   std::size_t triangles = 0;
-  const double begin_s = processor_s();
+  const double begin_s = process_cpu_s();
   for (auto _ : state) {
     const scene::Scene scene = (*stage)->scene(pose_at(++frame), {}, {}, {});
     if (circling) {
@@ -59,7 +60,7 @@ void frames(benchmark::State& state, const render::RenderOptions& options, bool 
     triangles = 0;
     for (const scene::Node& node : scene.nodes) triangles += node.mesh->indices.size() / 3;
   }
-  const double spent_s = processor_s() - begin_s;
+  const double spent_s = process_cpu_s() - begin_s;
   state.counters["cpu_ms"] = 1e3 * spent_s / static_cast<double>(state.iterations());
   state.counters["triangles"] = static_cast<double>(triangles);
 }

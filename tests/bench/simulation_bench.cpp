@@ -11,7 +11,7 @@ namespace {
 
 using namespace trocar::simulation;
 /// Processor time of this thread: what the step costs, whatever else the machine does meanwhile.
-double processor_s() {
+double thread_cpu_s() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
@@ -25,9 +25,9 @@ void step_of_a_transfer(benchmark::State& state) {
     double total_s = 0.0;
     const std::size_t before = steps_s.size();
     const auto timed = [&](World& stepped) {
-      const double begin_s = processor_s();
+      const double begin_s = thread_cpu_s();
       stepped.step();
-      steps_s.push_back(processor_s() - begin_s);
+      steps_s.push_back(thread_cpu_s() - begin_s);
       total_s += steps_s.back();
     };
     TROCAR_CHECK(transfer(world, 1, 4, timed).has_value());
@@ -56,9 +56,9 @@ void transfer_by_real_time(benchmark::State& state) {
   double spent_s = 0.0;
   for (auto _ : state) {
     World world;
-    const double begin_s = processor_s();
+    const double begin_s = thread_cpu_s();
     TROCAR_CHECK(transfer(world, 1, 4).has_value());
-    spent_s += processor_s() - begin_s;
+    spent_s += thread_cpu_s() - begin_s;
     simulated_s += world.state().tick.seconds();
   }
   state.counters["realtime_factor"] = simulated_s / spent_s;

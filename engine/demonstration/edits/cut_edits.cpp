@@ -56,14 +56,16 @@ Result<Demonstration> channel_reverted(const Demonstration& document, const Reve
   const std::size_t first = track.lower_bound(stretch.samples.front().tick);
   const std::size_t after = track.lower_bound(stretch.samples.back().tick + 1);
   const std::size_t begin = first > 0 ? first - 1 : 0;
-  const std::vector<Sample> recorded = track.slice(begin, after + 1 - begin).to_vector();
+  const SampleTrack recorded = track.slice(begin, after + 1 - begin);
   if (after <= first) {
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("nothing was recorded from {} to {} s", edit.from_s, edit.to_s));
   }
+  const std::int64_t begin_tick = recorded.tick(0);
+  const std::int64_t end_tick = recorded.tick(recorded.size() - 1);
   TrackReader reader(recorded);
   for (Sample& sample : stretch.samples) {
-    if (sample.tick < recorded.front().tick || sample.tick > recorded.back().tick) continue;
+    if (sample.tick < begin_tick || sample.tick > end_tick) continue;
     const Sample then = reader.at(static_cast<double>(sample.tick));
     for (const std::size_t arm : indices_of(edit.arms)) bring_back(sample, then, arm, edit.what, document.block);
   }

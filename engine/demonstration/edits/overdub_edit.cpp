@@ -75,8 +75,7 @@ std::vector<Sample> way_back(const Demonstration& document, std::int64_t end, co
   const std::size_t last = track.lower_bound(end + length);
   if (length == 0 || last <= after) return {};
   const std::size_t from = after > 0 ? after - 1 : 0;
-  const std::vector<Sample> around = track.slice(from, std::min(after + 1, track.size()) - from).to_vector();
-  const Sample old = TrackReader(around).at(static_cast<double>(end));
+  const Sample old = TrackReader(track.slice(from, after + 1 - from)).at(static_cast<double>(end));
   std::vector<Sample> samples = track.slice(after, last - after).to_vector();
   for (const std::size_t arm : indices_of(edit.arms)) {
     const Lead lead = Lead::of(old.arms[arm], now.arms[arm]);
@@ -113,8 +112,7 @@ Result<Demonstration> made_by(const Demonstration& document, const Overdub& edit
   const std::size_t from = first > 0 ? first - 1 : 0;
   const SampleTrack& clip = edit.clip->samples;
   const std::size_t end_of_run = std::min(track.lower_bound(begin + clip.tick(clip.size() - 1)) + 1, track.size());
-  const std::vector<Sample> kept = track.slice(from, end_of_run - from).to_vector();
-  TrackReader reader(kept);
+  TrackReader reader(track.slice(from, end_of_run - from));
   const std::vector<std::size_t> arms = indices_of(edit.arms);
   std::vector<Sample> made;
   for (const Sample& sample : clip) {

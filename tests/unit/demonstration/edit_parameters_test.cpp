@@ -250,7 +250,7 @@ TEST_CASE("gripper events are found and made one ramp each, between where the ja
 }
 
 TEST_CASE("smoothing holds still where a gripper moves, and sets in gently, only if it is asked to") {
-  Recording recording = *with_gripper().recording;
+  Recording recording = testing::recording_of(with_gripper());
   Random random(1);
   for (Sample& sample : recording.samples) {
     for (float& p : sample.arms[0].measured.p) p += static_cast<float>(2e-4 * random.normal());

@@ -79,7 +79,7 @@ TEST_CASE("a gap is one by the rate beside it: 30 Hz has none, nor where 200 Hz 
     return found;
   };
   CHECK(time(slow).empty());
-  Recording recording = *slow.recording;
+  Recording recording = testing::recording_of(slow);
   const std::int64_t last = recording.samples.back().tick;
   for (int i = 1; i < 400; ++i) {
     recording.samples.push_back(recording.samples.back());
