@@ -84,6 +84,7 @@ Json demonstration_json(const demonstration::Demonstration& document) {
           {"outcome", demonstration::to_string(document.outcome())},
           {"placed", document.placed()},
           {"edited_since", document.motion_edited()},
+          {"outcome_doubt", document.outcome_doubt()},
           {"recorded_outcome", demonstration::to_string(recording.outcome)},
           {"recovered", recording.recovered},
           {"hash", hash_text(document.hash())},

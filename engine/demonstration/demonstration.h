@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/id.h"
@@ -70,9 +71,12 @@ struct Demonstration {
   std::uint64_t hash() const;
   /// True if edits changed, moved, added or took out samples; gates, labels and notes change none.
   bool motion_edited() const;
-  /// How the transfer ended: as it was recorded; unknown once the motion is another. Re-simulation tells then.
-  Outcome outcome() const { return motion_edited() ? Outcome::kUnknown : recording->outcome; }
-  bool placed() const { return recording->placed && !motion_edited(); }
+  /// How the transfer ended: as it was recorded; unknown once the motion is another, or the gates leave out the instant
+  /// in which that was decided. Re-simulation tells then. Time: by the samples since that instant.
+  Outcome outcome() const;
+  bool placed() const;
+  /// Why that is no longer what was recorded: "its motion was edited since"; empty if it is.
+  std::string_view outcome_doubt() const;
 };
 
 /// The demonstration as it was recorded, with its id and name.

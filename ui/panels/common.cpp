@@ -124,6 +124,7 @@ Rgba outcome_colour(const Theme& theme, demonstration::Outcome outcome) {
 
 std::string outcome_words(const demonstration::Demonstration& shown) {
   if (shown.motion_edited()) return "edited since";
+  if (!shown.outcome_doubt().empty()) return "end cut off";
   if (shown.outcome() == demonstration::Outcome::kSuccess) return shown.placed() ? "placed" : "success";
   return std::string(demonstration::to_string(shown.outcome()));
 }

@@ -155,12 +155,12 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
   }
   const demonstration::Outcome outcome = shown->outcome();
   const std::string recorded(demonstration::to_string(shown->recording->outcome));
-  const std::string why = shown->motion_edited()
-                              ? fmt::format(
-                                    "How it ends is unknown: what was recorded ended as {}, and its motion was "
-                                    "edited since; simulate it to know",
-                                    recorded)
-                              : "";
+  const std::string why = shown->outcome_doubt().empty()
+                              ? ""
+                              : fmt::format(
+                                    "How it ends is unknown: what was recorded ended as {}, and {}; simulate it to "
+                                    "know",
+                                    recorded, shown->outcome_doubt());
   badge(ui, outcome_sign(outcome), outcome_words(*shown), outcome_colour(ui.theme(), outcome), why);
   if (shown->recording->recovered) {
     flow(badge_width(ui, icon::kWarning, "recovered"), ui.px(8));

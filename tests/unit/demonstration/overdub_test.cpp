@@ -81,11 +81,47 @@ TEST_CASE("how a transfer ended is no longer said once its motion is another, an
   const auto document =
       make_demonstration({1}, "Done", std::make_shared<const Recording>(std::move(recording))).value();
   CHECK(document.outcome() == Outcome::kSuccess);
-  const Demonstration trimmed = apply(document, Trim{1.0, 4.0}, 2).value();
+  const Demonstration trimmed = apply(document, Trim{1.0, 4.5}, 2).value();
   CHECK(trimmed.outcome() == Outcome::kSuccess);
   CHECK(trimmed.placed());
   const Demonstration edited = apply(document, overdub_of(higher(), 1.0, 1.8, 1.0, Arms::kLeft, 0.5), 3).value();
   CHECK(edited.outcome() == Outcome::kUnknown);
   CHECK_FALSE(edited.placed());
   CHECK(with_stack(edited, {}).outcome() == Outcome::kSuccess);
+}
+
+TEST_CASE("gates that leave out how a transfer ended make that unknown, and others do not") {
+  Recording recording = testing::moving_recording(1000);
+  recording.outcome = Outcome::kSuccess;
+  recording.placed = true;
+  recording.provenance.block = 2;
+  // Handed over at 4 s, let go of at 4.4 s, at rest from 4.6 s on.
+  for (Sample& sample : recording.samples) {
+    if (sample.tick < 4400) sample.flags |= kRightHolds;
+    sample.blocks[2].p[2] = sample.tick < 4600 ? 0.02F : 0.0F;
+  }
+  const auto document =
+      make_demonstration({1}, "Done", std::make_shared<const Recording>(std::move(recording))).value();
+  const auto trimmed = [&](double from_s, double to_s) { return apply(document, Trim{from_s, to_s}, 2).value(); };
+  CHECK(document.outcome_doubt().empty());
+  CHECK(trimmed(1.0, 4.7).outcome() == Outcome::kSuccess);
+  CHECK(trimmed(1.0, 4.7).placed());
+  for (const Demonstration& cut : {trimmed(0.0, 4.65), trimmed(0.0, 3.0), trimmed(4.8, 4.99)}) {
+    CHECK(cut.outcome() == Outcome::kUnknown);
+    CHECK_FALSE(cut.placed());
+    CHECK(cut.outcome_doubt() == "the gates leave out how it ended");
+  }
+  CHECK(apply(trimmed(0.0, 3.0), Trim{0.0, 4.99}, 3).value().outcome() == Outcome::kSuccess);
+}
+
+TEST_CASE("gates that leave out how a block was dropped make that unknown") {
+  Recording recording = testing::moving_recording(1000);
+  recording.outcome = Outcome::kDropped;
+  for (Sample& sample : recording.samples) {
+    if (sample.tick < 3000) sample.flags |= kLeftHolds;
+  }
+  const auto document =
+      make_demonstration({1}, "Lost", std::make_shared<const Recording>(std::move(recording))).value();
+  CHECK(apply(document, Trim{0.0, 3.2}, 2).value().outcome() == Outcome::kDropped);
+  CHECK(apply(document, Trim{0.0, 2.9}, 2).value().outcome() == Outcome::kUnknown);
 }
