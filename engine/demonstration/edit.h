@@ -190,7 +190,7 @@ enum class ResampleBy : std::uint8_t { kLinear, kCubic, kNearest };
 struct Resample {
   static constexpr std::string_view kName = "resample";
   static constexpr std::string_view kHelp = "Give the samples another rate";
-  double rate_hz = 200.0;  ///< 1000 Hz divided by a whole number.
+  double rate_hz = 200.0;  ///< 1 to 1000; each sample at the whole millisecond nearest to its time.
   ResampleBy method = ResampleBy::kLinear;
 };
 

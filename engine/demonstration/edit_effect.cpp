@@ -74,6 +74,34 @@ std::optional<std::string> aliasing(const Resample& edit, const Demonstration& b
       100.0 * share, 0.5 * edit.rate_hz);
 }
 
+/// Another mirroring brings it back.
+bool is_mirrored(const Demonstration& document) {
+  const auto mirrors = std::count_if(document.stack->begin(), document.stack->end(), [](const StackEntry& entry) {
+    return entry.enabled && std::holds_alternative<Mirror>(*entry.edit);
+  });
+  return mirrors % 2 != 0;
+}
+
+/// Across the board, from where a mirror through x and z shows a peg to the peg itself.
+double mirrored_off_m(const Eigen::Vector3d& p_WP) {
+  return 2.0 * std::abs(p_WP.y());
+}
+
+/// The board is no mirror image of itself: no start peg lies opposite a goal peg, so that no other task fits either.
+std::string mirroring(const Demonstration& document) {
+  const bool known = document.block >= 0 && document.block < peg_board::kBlockCount && document.goal >= 0 &&
+                     document.goal < peg_board::kBlockCount;
+  const std::string where =
+      known ? fmt::format(": block {} would begin {:.1f} mm from its start peg and end {:.1f} mm from goal peg {}",
+                          document.block, 1e3 * mirrored_off_m(peg_board::start_peg(document.block)),
+                          1e3 * mirrored_off_m(peg_board::goal_peg(document.goal)), document.goal)
+            : "";
+  return fmt::format(
+      "the mirrored block no longer fits a peg, as the board's pegs are no mirror image of each other{}; no block is "
+      "transferred so",
+      where);
+}
+
 }  // namespace
 
 double SpanMotion::fastest_m_s() const {
@@ -87,6 +115,7 @@ EditEffect effect_of(const Edit& edit, const Demonstration& before, const Demons
   if (const auto* resample = std::get_if<Resample>(&edit)) {
     if (auto remark = aliasing(*resample, before)) effect.remarks.push_back(std::move(*remark));
   }
+  if (std::holds_alternative<Mirror>(edit) && !is_mirrored(before)) effect.remarks.push_back(mirroring(before));
   const double limit_m_s = MotionBounds{}.speed_m_s;
   if (effect.after.fastest_m_s() > limit_m_s && effect.after.fastest_m_s() > 1.001 * effect.before.fastest_m_s()) {
     effect.remarks.push_back(fmt::format("a tool would reach {:.0f} mm/s, more than the {:.0f} mm/s that it may",

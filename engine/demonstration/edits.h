@@ -19,4 +19,8 @@ Result<Demonstration> apply(const Demonstration& document, const Edit& edit, std
 /// `edited`, which `edit` made of `before`, with the edit as the last of the stack if it stacks.
 Demonstration stacked(const Demonstration& before, Demonstration edited, const Edit& edit, std::int64_t entry);
 
+/// A trim as somebody asks for it, kept within the demonstration. Entries of a history are applied without this.
+/// Errors: kInvalidArgument if it would change nothing.
+Result<Trim> kept_trim(const Demonstration& document, const Trim& asked);
+
 }  // namespace trocar::demonstration

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 
 #include "engine/demonstration/recording.h"
 
@@ -19,9 +21,10 @@ std::int64_t median(Steps begin, Steps end) {
   return *middle;
 }
 
-/// In whole numbers, so that one and a half is no matter of rounding.
+/// In whole numbers, so that one and a half is no matter of rounding; one tick more is one: 700 Hz has steps of 1
+/// and 2.
 bool longer_than_usual(std::int64_t step, std::int64_t usual) {
-  return 2 * step > 3 * usual;
+  return 2 * step > 3 * usual && step > usual + 1;
 }
 
 }  // namespace
@@ -33,6 +36,24 @@ std::int64_t usual_step(const SampleTrack& samples) {
   std::vector<std::int64_t> steps;
   for (std::size_t i = 1; i < samples.size(); i += stride) steps.push_back(samples.tick(i) - samples.tick(i - 1));
   return median(steps.begin(), steps.end());
+}
+
+double usual_rate_hz(const SampleTrack& samples) {
+  const std::int64_t usual = usual_step(samples);
+  std::int64_t count = 0;
+  std::int64_t ticks = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const std::int64_t step = samples.tick(i) - samples.tick(i - 1);
+    if (std::abs(step - usual) > 1) continue;
+    ++count;
+    ticks += step;
+  }
+  const auto per_second = static_cast<double>(Tick::kPerSecond);
+  const double rate_hz = per_second * static_cast<double>(count) / static_cast<double>(ticks);
+  // A whole number of them a second, if both ends of the run rounded to whole ticks can be that.
+  const double whole_hz = std::max(std::round(rate_hz), 1.0);
+  const double off = std::abs(per_second * static_cast<double>(count) / whole_hz - static_cast<double>(ticks));
+  return off <= 1.0 ? whole_hz : rate_hz;
 }
 
 std::int64_t step_between(const SampleTrack& samples, std::size_t before, std::size_t after) {

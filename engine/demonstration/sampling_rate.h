@@ -12,6 +12,10 @@ namespace trocar::demonstration {
 /// The median of a track's steps, in ticks; 0 for fewer than 2 samples. Of a long track a thousand steps are looked at.
 std::int64_t usual_step(const SampleTrack& samples);
 
+/// How many samples a second a track usually has. Whole milliseconds are seen through: 33, 33 and 34 ms are 30 Hz.
+/// Precondition: at least 2 samples.
+double usual_rate_hz(const SampleTrack& samples);
+
 /// What one expects from one sample to the next between those at `before` and `after`, in ticks: the median of the five
 /// steps on either side, and where the two sides have different rates the longer. At least 1; `kTicksPerSample` where
 /// there is no step beside. Precondition: `before < after < samples.size()`.

@@ -2,14 +2,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "engine/demonstration/edits.h"
 #include "engine/demonstration/edits/edit_functions.h"
 #include "engine/demonstration/edits/stretch.h"
 #include "engine/demonstration/idle_cuts.h"
 #include "engine/demonstration/name.h"
 
 namespace trocar::demonstration {
+
+Result<Trim> kept_trim(const Demonstration& document, const Trim& asked) {
+  TROCAR_RETURN_IF_ERROR(check_range(asked.from_s, asked.to_s));
+  const Trim kept{std::max(asked.from_s, 0.0), std::min(asked.to_s, document.full_duration_s())};
+  const bool new_begin = std::abs(kept.from_s - document.begin_s) > kTimeTolerance_s;
+  const bool new_end = std::abs(kept.to_s - document.end_s) > kTimeTolerance_s;
+  if (new_begin || new_end) return kept;
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("{} is trimmed to {:.2f}–{:.2f} s already", document.name, kept.from_s, kept.to_s));
+}
 
 Result<Demonstration> made_by(const Demonstration& document, const Trim& edit) {
   TROCAR_RETURN_IF_ERROR(check_range(edit.from_s, edit.to_s));

@@ -67,14 +67,18 @@ void bend(Sample& sample, const Neighbours& near, double share) {
   }
 }
 
-/// Every `step` ticks up to the last of `samples`.
-SampleTrack resampled(const SampleTrack& samples, std::int64_t step, ResampleBy method) {
+/// Up to the last of `samples`, each at the tick nearest to its time, so that no rate drifts.
+SampleTrack resampled(const SampleTrack& samples, double rate_hz, ResampleBy method) {
   BlockBuilder result;
   TrackReader reader(samples);
   std::size_t before = 0;
   Neighbours near = neighbours_of(samples, before);
   const std::int64_t last = samples.tick(samples.size() - 1);
-  for (std::int64_t tick = samples.tick(0); tick <= last; tick += step) {
+  const std::int64_t first = samples.tick(0);
+  const auto tick_of = [&](std::int64_t i) {
+    return first + std::llround(static_cast<double>(i) * static_cast<double>(Tick::kPerSecond) / rate_hz);
+  };
+  for (std::int64_t i = 0, tick = first; tick <= last; tick = tick_of(++i)) {
     const std::size_t was = before;
     while (before + 2 < samples.size() && samples.tick(before + 1) <= tick) ++before;
     if (before != was) near = neighbours_of(samples, before);
@@ -96,18 +100,14 @@ SampleTrack resampled(const SampleTrack& samples, std::int64_t step, ResampleBy 
 
 Result<Demonstration> made_by(const Demonstration& document, const Resample& edit) {
   TROCAR_RETURN_IF_ERROR(check_positive(edit.rate_hz, "the rate"));
-  const double step = static_cast<double>(Tick::kPerSecond) / edit.rate_hz;
-  if (step < 1.0 || step > 1000.0 || std::abs(step - std::round(step)) > 1e-6) {
-    const double nearest = static_cast<double>(Tick::kPerSecond) / std::clamp(std::round(step), 1.0, 1000.0);
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("a rate must be 1000 Hz divided by a whole number; the nearest to {:g} is {:g} Hz",
-                            edit.rate_hz, nearest));
+  if (edit.rate_hz < 1.0 || edit.rate_hz > static_cast<double>(Tick::kPerSecond)) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("a rate must be from 1 to {} Hz", Tick::kPerSecond));
   }
   if (document.full_duration_s() * edit.rate_hz > kMostSamples) {
     return fail(ErrorCode::kInvalidArgument, "that would make more than ten million samples");
   }
   Demonstration edited = document;
-  edited.samples = resampled(document.samples, std::llround(step), edit.method);
+  edited.samples = resampled(document.samples, edit.rate_hz, edit.method);
   edited.end_s = std::min(edited.end_s, edited.full_duration_s());
   if (edited.samples.size() >= 2 && edited.gated().size() >= 2) return edited;
   return fail(ErrorCode::kInvalidArgument, "fewer than 2 samples would stay");

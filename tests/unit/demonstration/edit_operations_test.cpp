@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/demonstration/discretise.h"
+#include "engine/demonstration/edit_effect.h"
 #include "engine/demonstration/edit_stack.h"
 #include "engine/demonstration/edits.h"
 #include "engine/demonstration/motion.h"
@@ -288,14 +289,59 @@ TEST_CASE("retiming scales, fits, caps and evens out the speed, and what follows
   CHECK(greatest_step_m(applied(even, Trim{0.0, even.full_duration_s() - 0.2}), 0) < 0.01 * 0.005 * 1.05);
 }
 
-TEST_CASE("resampling keeps the motion and refuses a rate that does not fit whole ticks") {
+TEST_CASE("resampling keeps the motion at any rate up to that of the ticks, and does not drift") {
   const Demonstration document = testing::moving_demonstration(1000);
   const Demonstration half = applied(document, Resample{100.0});
   CHECK(half.samples.size() == 500);
   CHECK(tip(half, 2.0) == tip(document, 2.0));
-  const Result<Demonstration> refused = apply(document, Resample{300.0});
-  REQUIRE_FALSE(refused);
-  CHECK(refused.error().text() == "a rate must be 1000 Hz divided by a whole number; the nearest to 300 is 333.333 Hz");
+  for (const double rate_hz : {1.0, 7.3, 30.0, 60.0, 300.0, 700.0, 1000.0}) {
+    CAPTURE(rate_hz);
+    const Demonstration other = applied(document, Resample{rate_hz});
+    REQUIRE(other.samples.size() == static_cast<std::size_t>(std::floor(4.9955 * rate_hz)) + 1);
+    for (std::size_t i = 0; i < other.samples.size(); ++i) {
+      CHECK(std::abs(static_cast<double>(other.samples.tick(i)) - 1000.0 * static_cast<double>(i) / rate_hz) <= 0.5);
+    }
+    CHECK(sample_gaps(other.samples).empty());
+    CHECK(usual_rate_hz(other.samples) == doctest::Approx(rate_hz).epsilon(1e-3));
+  }
+  const Demonstration camera = applied(document, Resample{30.0});
+  CHECK(camera.samples.tick(1) == 33);
+  CHECK(camera.samples.tick(2) == 67);
+  CHECK(camera.samples.tick(3) == 100);
+  CHECK(usual_rate_hz(camera.samples) == 30.0);
+  for (const double rate_hz : {0.5, 1000.5}) {
+    CHECK(apply(document, Resample{rate_hz}).error().text() == "a rate must be from 1 to 1000 Hz");
+  }
+}
+
+TEST_CASE("a trim is kept within the demonstration, and one that changes nothing is refused") {
+  const Demonstration document = testing::moving_demonstration(1000);
+  const Trim kept = kept_trim(document, Trim{-5.0, 3.0}).value();
+  CHECK(kept.from_s == 0.0);
+  CHECK(kept.to_s == 3.0);
+  CHECK(kept_trim(document, Trim{1.0, 300.0}).value().to_s == document.full_duration_s());
+  CHECK(kept_trim(document, Trim{-5.0, 300.0}).error().text() == "Moving is trimmed to 0.00–5.00 s already");
+  const Demonstration trimmed = applied(document, Trim{1.0, 3.0});
+  CHECK(kept_trim(trimmed, Trim{1.0, 3.0}).error().text() == "Moving is trimmed to 1.00–3.00 s already");
+  CHECK(kept_trim(trimmed, Trim{-5.0, 300.0}).has_value());
+}
+
+TEST_CASE("mirroring says that no block fits a peg any more, and mirroring back does not") {
+  const Demonstration document = testing::moving_demonstration(1000);
+  const Demonstration mirror = applied(document, Mirror{});
+  const std::vector<std::string> remarks = effect_of(Mirror{}, document, mirror).remarks;
+  REQUIRE(remarks.size() == 1);
+  CHECK(remarks[0] ==
+        "the mirrored block no longer fits a peg, as the board's pegs are no mirror image of each other: block 0 would "
+        "begin 54.0 mm from its start peg and end 86.0 mm from goal peg 0; no block is transferred so");
+  CHECK(effect_of(Mirror{}, mirror, applied(mirror, Mirror{})).remarks.empty());
+  // It is so of every peg.
+  for (int block = 0; block < peg_board::kBlockCount; ++block) {
+    for (int goal = 0; goal < peg_board::kBlockCount; ++goal) {
+      const Eigen::Vector3d opposite = peg_board::start_peg(block).cwiseProduct(Eigen::Vector3d(1.0, -1.0, 1.0));
+      CHECK((opposite - peg_board::goal_peg(goal)).norm() > 0.004);
+    }
+  }
 }
 
 TEST_CASE("a path that was snapped makes single legal actions and passes cell centres") {
