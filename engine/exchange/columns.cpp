@@ -195,8 +195,37 @@ Result<std::vector<const Column*>> columns_named(const std::vector<std::string>&
   return order;
 }
 
-std::vector<std::string> kept_by_export() {
-  return {"every sample to the bit (times, setpoints, measured poses, joints, jaws, blocks, pedals, labels)"};
+Channels recorded_channels(const std::vector<Sample>& samples) {
+  Channels channels;
+  for (const Sample& sample : samples) {
+    for (std::size_t arm = 0; arm < 2; ++arm) {
+      const auto& joints = sample.arms[arm].joints;
+      if (std::any_of(joints.begin(), joints.end(), [](float q) { return q != 0.0F; })) channels.joints[arm] = true;
+    }
+    const CompactPose& first = sample.blocks.front();
+    channels.blocks |= std::any_of(sample.blocks.begin(), sample.blocks.end(), [&first](const CompactPose& block) {
+      return block.p != first.p || block.q_wxyz != first.q_wxyz;
+    });
+  }
+  return channels;
+}
+
+std::vector<std::string> not_recorded(const Channels& channels) {
+  std::vector<std::string> missing;
+  if (!channels.joints[0]) missing.emplace_back("the joints of the left arm");
+  if (!channels.joints[1]) missing.emplace_back("the joints of the right arm");
+  if (!channels.blocks) missing.emplace_back("the blocks");
+  return missing;
+}
+
+std::string kept_samples(const Channels& channels) {
+  const bool joints = channels.joints[0] || channels.joints[1];
+  return fmt::format("every sample to the bit (times, setpoints, measured poses,{} jaws,{} pedals, labels)",
+                     joints ? " joints," : "", channels.blocks ? " blocks," : "");
+}
+
+std::vector<std::string> kept_by_export(const demonstration::Demonstration& document) {
+  return {kept_samples(recorded_channels(table_samples(document)))};
 }
 
 std::vector<std::string> lost_by_export(const demonstration::Demonstration& document) {
@@ -205,6 +234,9 @@ std::vector<std::string> lost_by_export(const demonstration::Demonstration& docu
   if (!recording.initial_world.empty()) lossy.emplace_back("the simulated world before the first sample");
   if (!recording.hashes.empty()) lossy.emplace_back("the state hashes that a replay is checked against");
   if (document.gated().size() < document.samples.size()) lossy.emplace_back("the samples outside of the gates");
+  for (const std::string& missing : not_recorded(recorded_channels(table_samples(document)))) {
+    lossy.push_back(missing + " (never recorded: its columns say nothing)");
+  }
   return lossy;
 }
 

@@ -1,6 +1,7 @@
 /// The columns of a demonstration as a table, the same in CSV and NPY: one row for each sample, SI units.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -31,6 +32,18 @@ std::vector<demonstration::Sample> table_samples(const demonstration::Demonstrat
 Status visit_table_samples(const demonstration::Demonstration& document,
                            const std::function<Status(const demonstration::Sample&)>& take);
 
+/// What a demonstration has beside its tools; an import may be without.
+struct Channels {
+  std::array<bool, 2> joints{};  ///< By arm, left first.
+  bool blocks = false;
+};
+/// Of `samples`: joints that are all zero all the time and blocks that are all at one place were never recorded.
+Channels recorded_channels(const std::vector<demonstration::Sample>& samples);
+/// "the joints of the left arm", for each channel that is not there.
+std::vector<std::string> not_recorded(const Channels& channels);
+/// "every sample to the bit (times, …)".
+std::string kept_samples(const Channels& channels);
+
 /// Sets `sample` from one row, columns by their place in `columns()`. What has no column follows the setpoint, or
 /// stays as it is by default.
 /// Errors: kInvalidArgument naming the column whose value is not finite or out of range.
@@ -41,7 +54,7 @@ Status sample_from_row(const std::vector<const Column*>& order, const std::vecto
 Result<std::vector<const Column*>> columns_named(const std::vector<std::string>& names);
 
 /// What an export as a table brings back to the bit when it is imported.
-std::vector<std::string> kept_by_export();
+std::vector<std::string> kept_by_export(const demonstration::Demonstration& document);
 /// What an export leaves out, and what an import of `order` has to do without; each reads on after "without".
 std::vector<std::string> lost_by_export(const demonstration::Demonstration& document);
 std::vector<std::string> lost_by_import(const std::vector<const Column*>& order);

@@ -113,12 +113,15 @@ Result<std::vector<Imported>> read(const std::filesystem::path& path, Format for
   return alone(from_jigsaws(bytes, transcription));
 }
 
-/// Every pose of the sample, from the file's frame to the board's.
+/// Both tools, from the file's frame to the board's.
 void place(demonstration::Sample& sample, const spatial::Pose& X_WF) {
   for (demonstration::ArmSample& arm : sample.arms) {
     arm.set_setpoint(X_WF * arm.setpoint(), arm.setpoint_jaw_rad);
     arm.measured = demonstration::CompactPose::from(X_WF * arm.measured.pose());
   }
+}
+
+void place_blocks(demonstration::Sample& sample, const spatial::Pose& X_WF) {
   for (demonstration::CompactPose& block : sample.blocks) {
     block = demonstration::CompactPose::from(X_WF * block.pose());
   }
@@ -127,7 +130,11 @@ void place(demonstration::Sample& sample, const spatial::Pose& X_WF) {
 Status place_all(Imported& imported, const spatial::Pose& X_WF) {
   if (X_WF == spatial::Pose{}) return {};
   demonstration::Recording& recording = imported.recording;
-  for (demonstration::Sample& sample : recording.samples) place(sample, X_WF);
+  const bool blocks = recorded_channels(recording.samples).blocks;
+  for (demonstration::Sample& sample : recording.samples) {
+    place(sample, X_WF);
+    if (blocks) place_blocks(sample, X_WF);
+  }
   if (!recording.initial_world.empty()) {
     recording.initial_world.clear();
     recording.hashes.clear();
@@ -209,9 +216,12 @@ ExportReport report_of(const Documents& documents, Format format) {
   ExportReport report;
   for (const auto& document : documents) {
     const bool table = format != Format::kHdf5;
-    unite(report.lossless, table ? kept_by_export() : kept_by_robomimic(*document));
+    unite(report.lossless, table ? kept_by_export(*document) : kept_by_robomimic(*document));
     unite(report.lossy, table ? lost_by_export(*document) : lost_by_robomimic(*document));
     report.samples += document->gated().size();
+  }
+  if (const std::string told = format == Format::kHdf5 ? rate_of(documents).lost : ""; !told.empty()) {
+    report.lossy.push_back(told);
   }
   return report;
 }

@@ -3,7 +3,9 @@
 ///
 /// robot0 is our left arm, robot1 our right one; positions p_WT in metres, quaternions x, y, z, w, jaws in radians.
 /// `actions` are steps of the setpoints, see `actions.h`. `states` holds the columns of `columns()`, named by its
-/// attribute `columns`; with `data/demo_N/trocar` beside it, everything but the edits is there to be read back.
+/// attribute `columns`; with `data/demo_N/trocar` beside it, everything but the edits is there to be read back. Joints
+/// and blocks that were never recorded are in neither `obs` nor `states`. A reward is given for an outcome that is
+/// known.
 #pragma once
 
 #include <filesystem>
@@ -26,6 +28,13 @@ using Documents = std::vector<std::shared_ptr<const demonstration::Demonstration
 /// A new file at `path`. Precondition: there is at least one. Errors: kIo, kUnsupported; kInvalidArgument for a
 /// filter key that is no name.
 Status write_robomimic(const Documents& documents, const Masks& masks, const std::filesystem::path& path);
+
+/// The file has one rate for all, that of its first demonstration.
+struct RobomimicRate {
+  double rate_hz = 0.0;
+  std::string lost;  ///< What that says of them is not true; empty: it is.
+};
+RobomimicRate rate_of(const Documents& documents);
 
 /// What of `document` comes back from such a file, and what does not.
 std::vector<std::string> kept_by_robomimic(const demonstration::Demonstration& document);

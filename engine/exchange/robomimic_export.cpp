@@ -1,9 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "engine/demonstration/name.h"
+#include "engine/demonstration/sampling_rate.h"
 #include "engine/exchange/actions.h"
 #include "engine/exchange/columns.h"
 #include "engine/exchange/hdf5_process.h"
@@ -27,11 +32,10 @@ TreeNode group_node(std::string path) {
 
 /// What a training program asks a file about its environment. There is no such environment for robomimic to make:
 /// roll-outs are ours.
-std::string environment() {
-  const Json json{
-      {"env_name", "TrocarPegTransfer"},
-      {"type", 2},  // robomimic's number for gym, the plainest of its kinds
-      {"env_kwargs", {{"control_freq", demonstration::kSampleRate_hz}, {"robots", {"PSM2 (left)", "PSM1 (right)"}}}}};
+std::string environment(double rate_hz) {
+  const Json json{{"env_name", "TrocarPegTransfer"},
+                  {"type", 2},  // robomimic's number for gym, the plainest of its kinds
+                  {"env_kwargs", {{"control_freq", rate_hz}, {"robots", {"PSM2 (left)", "PSM1 (right)"}}}}};
   return json.dump();
 }
 
@@ -50,10 +54,42 @@ void push_pose(const CompactPose& pose, std::vector<double>& into) {
   for (const std::size_t part : {1U, 2U, 3U, 0U}) into.push_back(static_cast<double>(pose.q_wxyz[part]));
 }
 
+/// "left_joint_", "right_joint_" and "block_": the columns of what may never have been recorded.
+std::vector<std::string> optional_channels() {
+  return {"left_joint_", "right_joint_", "block_"};
+}
+
+/// All columns but those of channels in which every number is, to the bit, what a reader puts in place of none.
+std::vector<const Column*> told_columns(const std::vector<Sample>& samples) {
+  const Sample none;
+  std::set<std::string> silent;
+  for (const std::string& channel : optional_channels()) silent.insert(channel);
+  const auto channel_of = [](const std::string& name) {
+    for (const std::string& channel : optional_channels()) {
+      if (name.starts_with(channel)) return channel;
+    }
+    return std::string();
+  };
+  for (const Column& column : columns()) {
+    const std::string channel = channel_of(column.name);
+    if (!silent.contains(channel)) continue;
+    const auto expected = std::bit_cast<std::uint64_t>(column.read(none));
+    const bool same = std::all_of(samples.begin(), samples.end(), [&](const Sample& sample) {
+      return std::bit_cast<std::uint64_t>(column.read(sample)) == expected;
+    });
+    if (!same) silent.erase(channel);
+  }
+  std::vector<const Column*> told;
+  for (const Column& column : columns()) {
+    if (!silent.contains(channel_of(column.name))) told.push_back(&column);
+  }
+  return told;
+}
+
 class DemonstrationWriter {
  public:
   DemonstrationWriter(Hdf5Writer& writer, std::string group, const std::vector<Sample>& samples)
-      : writer_(writer), group_(std::move(group)), samples_(samples) {}
+      : writer_(writer), group_(std::move(group)), samples_(samples), channels_(recorded_channels(samples)) {}
 
   Status write(const Demonstration& document, const ActionScale& scale) {
     TreeNode group = group_node(group_);
@@ -65,7 +101,7 @@ class DemonstrationWriter {
     TROCAR_RETURN_IF_ERROR(write_ends(document));
     TROCAR_RETURN_IF_ERROR(writer_.add(group_node(group_ + "/obs")));
     for (std::size_t arm = 0; arm < 2; ++arm) TROCAR_RETURN_IF_ERROR(write_arm(arm));
-    TROCAR_RETURN_IF_ERROR(write_blocks());
+    if (channels_.blocks) TROCAR_RETURN_IF_ERROR(write_blocks());
     return write_own(document);
   }
 
@@ -85,22 +121,23 @@ class DemonstrationWriter {
   }
 
   Status write_states() {
+    const std::vector<const Column*> told = told_columns(samples_);
     std::vector<std::string> names;
-    for (const Column& column : columns()) names.push_back(column.name);
+    for (const Column* column : told) names.push_back(column->name);
     TreeNode node = rows_node(group_ + "/states", Kind::kFloat64, names.size(), samples_,
-                              [](const Sample& sample, std::vector<double>& into) {
-                                for (const Column& column : columns()) into.push_back(column.read(sample));
+                              [&told](const Sample& sample, std::vector<double>& into) {
+                                for (const Column* column : told) into.push_back(column->read(sample));
                               });
     node.attributes["columns"] = std::move(names);
     return writer_.add(node);
   }
 
-  /// The last sample ends the episode; a transfer that succeeded is worth 1 then.
+  /// The last sample ends the episode; a transfer that is known to have succeeded is worth 1 then.
   Status write_ends(const Demonstration& document) {
     std::vector<double> ends(samples_.size(), 0.0);
     ends.back() = 1.0;
     TROCAR_RETURN_IF_ERROR(writer_.add(array_node(group_ + "/dones", Kind::kInt64, {ends.size()}, ends)));
-    ends.back() = document.recording->outcome == demonstration::Outcome::kSuccess ? 1.0 : 0.0;
+    ends.back() = document.outcome() == demonstration::Outcome::kSuccess ? 1.0 : 0.0;
     return writer_.add(array_node(group_ + "/rewards", Kind::kFloat64, {ends.size()}, ends));
   }
 
@@ -126,6 +163,7 @@ class DemonstrationWriter {
     TROCAR_RETURN_IF_ERROR(write_observation(robot + "gripper_qpos", 1, "rad", [&](const Sample& sample, auto& into) {
       into.push_back(static_cast<double>(of(sample).jaw_rad));
     }));
+    if (!channels_.joints[arm]) return {};
     return write_observation(robot + "joint_pos", 6, "rad, the third m", [&](const Sample& sample, auto& into) {
       into.insert(into.end(), of(sample).joints.begin(), of(sample).joints.end());
     });
@@ -152,6 +190,7 @@ class DemonstrationWriter {
   Hdf5Writer& writer_;
   std::string group_;
   const std::vector<Sample>& samples_;
+  Channels channels_;
 };
 
 /// What every export can be filtered by: who made a recording, with which skill, and how it ended.
@@ -159,7 +198,7 @@ Masks own_masks(const Documents& documents) {
   Masks masks;
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const demonstration::RecordingInfo& recording = *documents[i]->recording;
-    std::set<std::string> keys{"all", fmt::format("outcome_{}", to_string(recording.outcome))};
+    std::set<std::string> keys{"all", fmt::format("outcome_{}", to_string(documents[i]->outcome()))};
     if (!recording.provenance.operator_kind.empty()) keys.insert("operator_" + recording.provenance.operator_kind);
     if (!recording.provenance.skill.empty()) keys.insert("skill_" + recording.provenance.skill);
     for (const std::string& key : keys) masks[key].push_back(i);
@@ -210,7 +249,7 @@ Status write_robomimic(const Documents& documents, const Masks& masks, const std
   TROCAR_ASSIGN_OR_RETURN(Hdf5Writer writer, Hdf5Writer::create(path));
   TreeNode data = group_node("data");
   data.attributes["total"] = static_cast<std::int64_t>(total);
-  data.attributes["env_args"] = environment();
+  data.attributes["env_args"] = environment(rate_of(documents).rate_hz);
   TROCAR_RETURN_IF_ERROR(writer.add(data));
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const std::vector<Sample> samples = table_samples(*documents[i]);
@@ -221,10 +260,37 @@ Status write_robomimic(const Documents& documents, const Masks& masks, const std
   return writer.finish();
 }
 
+RobomimicRate rate_of(const Documents& documents) {
+  RobomimicRate rate{demonstration::usual_rate_hz(documents.front()->gated()), ""};
+  const double step = static_cast<double>(Tick::kPerSecond) / rate.rate_hz;
+  std::size_t others = 0;
+  std::size_t irregular = 0;
+  for (const auto& document : documents) {
+    const demonstration::SampleTrack samples = document->gated();
+    if (std::abs(demonstration::usual_rate_hz(samples) / rate.rate_hz - 1.0) > 1e-3) {
+      ++others;
+      continue;
+    }
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      if (std::abs(static_cast<double>(samples.tick(i) - samples.tick(i - 1)) - step) > 1.0) ++irregular;
+    }
+  }
+  std::string what;
+  if (irregular > 0) what = fmt::format("{} of their steps are others", irregular);
+  if (others > 0) {
+    what += fmt::format("{}{} of the demonstrations {} another rate", what.empty() ? "" : ", ", others,
+                        others == 1 ? "has" : "have");
+  }
+  if (what.empty()) return rate;
+  rate.lost = fmt::format("times, for other programs: the file says {:.4g} samples a second, {}", rate.rate_hz, what);
+  return rate;
+}
+
 std::vector<std::string> kept_by_robomimic(const Demonstration& document) {
-  std::vector<std::string> kept{
-      "every sample to the bit (times, setpoints, measured poses, joints, jaws, blocks, pedals, labels)",
-      "its name, block, goal and outcome", "who recorded it and how (provenance)"};
+  const bool known = document.outcome() == document.recording->outcome;
+  std::vector<std::string> kept{kept_samples(recorded_channels(table_samples(document))),
+                                known ? "its name, block, goal and outcome" : "its name, block and goal",
+                                "who recorded it and how (provenance)"};
   if (!document.notes.empty()) kept.emplace_back("the notes between the gates");
   if (!is_as_recorded(document, table_samples(document))) return kept;
   if (!document.recording->initial_world.empty()) kept.emplace_back("the simulated world before the first sample");
@@ -234,6 +300,13 @@ std::vector<std::string> kept_by_robomimic(const Demonstration& document) {
 
 std::vector<std::string> lost_by_robomimic(const Demonstration& document) {
   std::vector<std::string> lost;
+  if (document.outcome() != document.recording->outcome) {
+    lost.push_back(fmt::format("its outcome ({} as recorded, but {}: written as unknown, with no reward)",
+                               to_string(document.recording->outcome), document.outcome_doubt()));
+  }
+  for (const std::string& missing : not_recorded(recorded_channels(table_samples(document)))) {
+    lost.push_back(missing + " (never recorded)");
+  }
   if (document.gated().size() < document.samples.size()) lost.emplace_back("the samples outside of the gates");
   if (!document.stack->empty()) lost.emplace_back("the edits as such (what they made of it is there)");
   const bool replays = !document.recording->initial_world.empty();

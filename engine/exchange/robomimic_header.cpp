@@ -9,6 +9,7 @@
 
 #include "engine/demonstration/edit_fields.h"
 #include "engine/demonstration/name.h"
+#include "engine/exchange/columns.h"
 
 namespace trocar::exchange {
 namespace {
@@ -236,8 +237,8 @@ std::string robomimic_header(const demonstration::Demonstration& document, const
                   {"name", document.name},
                   {"first_tick", document.first_tick()},
                   {"samples_hash", hash_text(demonstration::hash_of(samples))},
-                  {"outcome", to_string(recording.outcome)},
-                  {"placed", recording.placed},
+                  {"outcome", to_string(document.outcome())},
+                  {"placed", document.placed()},
                   {"recovered", recording.recovered},
                   {"provenance", provenance_json(recording.provenance, document)},
                   {"hashes", hashes},
@@ -261,7 +262,11 @@ Status apply_robomimic_header(std::string_view text, std::string world, Imported
   imported.recording = std::move(header->recording);
   imported.recording.samples = std::move(samples);
   imported.recording.initial_world = std::move(world);
+  const std::vector<std::string> lacking = std::move(imported.lossy);
   imported.lossy.clear();
+  for (const std::string& missing : not_recorded({})) {
+    if (std::find(lacking.begin(), lacking.end(), missing) != lacking.end()) imported.lossy.push_back(missing);
+  }
   if (imported.recording.initial_world.empty()) {
     imported.lossy.emplace_back("a simulated world (it cannot be replayed)");
   }

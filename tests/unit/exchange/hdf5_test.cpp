@@ -121,7 +121,10 @@ TEST_CASE("an unedited recording comes back from HDF5 with the same hash of all 
   CHECK(rc::check([&folder] {
     const auto document = document_of(any_recording(), "Any");
     const ExportReport report = export_demonstrations({document}, folder / "any.hdf5", Format::kHdf5).value();
-    RC_ASSERT(report.lossy.empty());
+    // Times at random are no rate, and what happens to be zero was never recorded.
+    for (const std::string& lost : report.lossy) {
+      RC_ASSERT(lost.starts_with("times, for other programs: ") || lost.ends_with("(never recorded)"));
+    }
     const Imported read = import_demonstration(folder / "any.hdf5", Format::kHdf5).value();
     RC_ASSERT(read.recording.content_hash() == testing::recording_of(*document).content_hash());
     RC_ASSERT(demonstration::hash_of(read.recording.samples) == demonstration::hash_of(document->recorded.to_vector()));
@@ -378,4 +381,82 @@ TEST_CASE("an export that cannot be written leaves what was there") {
   CHECK_FALSE(export_demonstrations({document}, folder / "old.hdf5", Format::kHdf5, {{"a/b", {0}}}));
   CHECK(read_file(folder / "old.hdf5").value() == "old");
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("an outcome that edits or gates made unknown is unknown in a file, and is worth nothing") {
+  const testing::ScratchFolder folder;
+  demonstration::Recording recording = moving_recording(1000);
+  recording.outcome = demonstration::Outcome::kSuccess;
+  recording.placed = true;
+  const auto whole = document_of(std::move(recording), "Whole");
+  const auto cut = shared(demonstration::apply(*whole, demonstration::Trim{0.0, 2.0}, 7).value());
+  const auto moved =
+      shared(demonstration::apply(*whole, demonstration::Offset{demonstration::Arms::kLeft, {0.001, 0, 0}}, 8).value());
+  REQUIRE(export_demonstrations({whole, cut, moved}, folder / "three.hdf5", Format::kHdf5));
+  const auto nodes = nodes_of(folder / "three.hdf5");
+  CHECK(nodes.at("mask/outcome_success").texts == std::vector<std::string>{"demo_0"});
+  CHECK(nodes.at("mask/outcome_unknown").texts == std::vector<std::string>{"demo_1", "demo_2"});
+  const auto last_reward = [&](const std::string& name) {
+    const TreeNode& rewards = nodes.at("data/" + name + "/rewards");
+    return rewards.number(static_cast<std::size_t>(rewards.shape[0]) - 1);
+  };
+  CHECK(last_reward("demo_0") == 1.0);
+  CHECK(last_reward("demo_1") == 0.0);
+  CHECK(last_reward("demo_2") == 0.0);
+  const auto back = import_demonstrations(folder / "three.hdf5", Format::kHdf5).value();
+  CHECK(back[0].recording.outcome == demonstration::Outcome::kSuccess);
+  for (const std::size_t i : {1U, 2U}) {
+    CHECK(back[i].recording.outcome == demonstration::Outcome::kUnknown);
+    CHECK_FALSE(back[i].recording.placed);
+  }
+  const ExportReport report = export_report({cut}, Format::kHdf5).value();
+  CHECK(mentions(report.lossy,
+                 "its outcome (success as recorded, but the gates leave out how it ended: written as unknown"));
+  CHECK_FALSE(mentions(report.lossless, "outcome"));
+}
+
+TEST_CASE("a file tells the rate that its demonstrations have") {
+  const testing::ScratchFolder folder;
+  const auto told = [&](const Documents& documents) {
+    REQUIRE(export_demonstrations(documents, folder / "rate.hdf5", Format::kHdf5));
+    return std::get<std::string>(nodes_of(folder / "rate.hdf5").at("data").attributes.at("env_args"));
+  };
+  const auto camera = shared(testing::slow_demonstration(31, 30.0));
+  const auto robot = shared(testing::slow_demonstration(40, 20.0));
+  CHECK(mentions({told({camera})}, "\"control_freq\":30.0"));
+  CHECK(mentions({told({robot})}, "\"control_freq\":20.0"));
+  CHECK(mentions({told({shared(moving_demonstration(100))})}, "\"control_freq\":200.0"));
+  CHECK_FALSE(mentions(export_report({camera}, Format::kHdf5).value().lossy, "times"));
+  CHECK(mentions(export_report({camera, robot}, Format::kHdf5).value().lossy,
+                 "the file says 30 samples a second, 1 of the demonstrations has another rate"));
+  const auto holed = shared(demonstration::apply(*camera, demonstration::DeleteSpan{0.4, 0.6, false}, 7).value());
+  CHECK(mentions(export_report({holed}, Format::kHdf5).value().lossy, "1 of their steps are others"));
+}
+
+TEST_CASE("joints and blocks that were never recorded are in no file, and nothing stands in for them") {
+  const testing::ScratchFolder folder;
+  const auto document = shared(moving_demonstration(100));
+  const ExportReport report = export_demonstrations({document}, folder / "bare.hdf5", Format::kHdf5).value();
+  for (const char* missing : {"the joints of the left arm", "the joints of the right arm", "the blocks"}) {
+    CHECK(mentions(report.lossy, std::string(missing) + " (never recorded)"));
+    CHECK(mentions(export_report({document}, Format::kCsv).value().lossy, std::string(missing) + " (never recorded"));
+  }
+  CHECK_FALSE(mentions(report.lossless, "joints"));
+  CHECK_FALSE(mentions(report.lossless, "blocks"));
+  const auto nodes = nodes_of(folder / "bare.hdf5");
+  CHECK_FALSE(nodes.contains("data/demo_0/obs/robot0_joint_pos"));
+  CHECK_FALSE(nodes.contains("data/demo_0/obs/robot1_joint_pos"));
+  CHECK_FALSE(nodes.contains("data/demo_0/obs/object"));
+  for (const std::string& name :
+       std::get<std::vector<std::string>>(nodes.at("data/demo_0/states").attributes.at("columns"))) {
+    CHECK_FALSE(name.starts_with("block_"));
+    CHECK(name.find("_joint_") == std::string::npos);
+  }
+  const Imported back = import_demonstration(folder / "bare.hdf5", Format::kHdf5).value();
+  CHECK(demonstration::hash_of(back.recording.samples) == demonstration::hash_of(document->recorded.to_vector()));
+  CHECK(mentions(back.lossy, "the joints of the left arm"));
+  CHECK(mentions(back.lossy, "the blocks"));
+  // Mirrored, each zero is a negative one: still to the bit.
+  const auto mirror = shared(demonstration::apply(*document, demonstration::Mirror{}, 7).value());
+  CHECK(mentions(export_demonstrations({mirror}, folder / "mirror.hdf5", Format::kHdf5).value().lossy, "the blocks"));
 }
