@@ -104,7 +104,22 @@ Status make_fixes(workbench::ProjectFile& file, demonstration::DemonstrationId i
   return {};
 }
 
-Status simulate(const demonstration::Demonstration& document, Console& console, Answer& answer) {
+/// A transfer that fails must not be learned from, whatever samples and labels look like.
+Problem not_transferred(const demonstration::Demonstration& document, const review::Resimulation& found) {
+  const double at_s = found.decided_at_s.value_or(document.end_s);
+  Problem problem;
+  problem.kind = demonstration::ProblemKind::kEnds;
+  problem.severity = Severity::kError;
+  problem.begin_s = at_s;
+  problem.end_s = at_s;
+  problem.message = "simulated, " + found.sentence;
+  problem.id = "simulation-1";
+  return problem;
+}
+
+/// A failure is one more of `problems`.
+Status simulate(const demonstration::Demonstration& document, Console& console, std::vector<Problem>& problems,
+                Answer& answer) {
   TROCAR_ASSIGN_OR_RETURN(const review::Resimulation found, review::resimulate(document, console.progress()));
   answer.json["simulation"] = {{"outcome", demonstration::to_string(found.outcome)},
                                {"placed", found.placed},
@@ -114,8 +129,11 @@ Status simulate(const demonstration::Demonstration& document, Console& console, 
                                {"last_p_WK_m", {found.last_p_WK.x(), found.last_p_WK.y(), found.last_p_WK.z()}},
                                {"refused", found.refused},
                                {"sentence", found.sentence}};
-  answer.text += fmt::format("simulated: {}\n", found.sentence);
-  answer.passed = answer.passed && found.transferred();
+  if (found.transferred()) {
+    answer.text += fmt::format("simulated: {}\n", found.sentence);
+    return {};
+  }
+  problems.push_back(not_transferred(document, found));
   return {};
 }
 
@@ -134,10 +152,10 @@ Result<Answer> run_check(const CheckArguments& arguments, Console& console) {
   answer.json = {{"id", before->id.value}};
   if (!arguments.fix.empty()) TROCAR_RETURN_IF_ERROR(make_fixes(file, before->id, arguments.fix, options, answer));
   const auto document = file.project()->demonstrations.at(before->id);
-  const std::vector<Problem> problems = review::Reviewer().make(*document, options).problems;
+  std::vector<Problem> problems = review::Reviewer().make(*document, options).problems;
+  if (arguments.simulate) TROCAR_RETURN_IF_ERROR(simulate(*document, console, problems, answer));
   list_problems(problems, answer);
   answer.passed = review::count_of(problems, Severity::kError) == 0;
-  if (arguments.simulate) TROCAR_RETURN_IF_ERROR(simulate(*document, console, answer));
   answer.text += fmt::format("{}: {}", document->name, answer.summary);
   return answer;
 }

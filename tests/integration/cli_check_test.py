@@ -54,6 +54,11 @@ class Check(CommandLineTest):
         self.answer("demo", "edit", project, "1", "jaw", "--from", at_s, "--to", at_s + 0.6, "--jaw-deg", "55", "--ramp", "0.1")
         answer = self.answer("demo", "check", project, "1", "--simulate", code=CHECK_FAILED)
         self.assertEqual(answer["simulation"]["outcome"], "dropped")
+        failed = [problem for problem in answer["problems"] if problem["id"] == "simulation-1"]
+        self.assertEqual(len(failed), 1)
+        self.assertEqual(failed[0]["severity"], "error")
+        self.assertIn(answer["simulation"]["sentence"], failed[0]["message"])
+        self.assertNotIn("0 errors", trocar("demo", "check", project, "1", "--simulate").stdout)
         self.assertIn("the left arm loses it at", answer["simulation"]["sentence"])
         self.assertAlmostEqual(answer["simulation"]["last_touch_s"], at_s, delta=0.6)
 
