@@ -7,7 +7,12 @@ namespace trocar::workbench {
 namespace {
 
 Result<demonstration::Demonstration> edited(const PreviewRequest& request) {
-  if (request.entry == 0) return demonstration::apply(*request.before, request.edit);
+  if (request.entry == 0) {
+    if (const auto* trim = std::get_if<demonstration::Trim>(&request.edit)) {
+      TROCAR_RETURN_IF_ERROR(demonstration::kept_trim(*request.before, *trim).map([](const auto&) {}));
+    }
+    return demonstration::apply(*request.before, request.edit);
+  }
   TROCAR_ASSIGN_OR_RETURN(demonstration::EditStack stack,
                           demonstration::entry_replaced(*request.before->stack, request.entry, request.edit));
   demonstration::Demonstration made = demonstration::with_stack(*request.before, std::move(stack));

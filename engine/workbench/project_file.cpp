@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/demonstration/edits.h"
 #include "engine/workbench/model_codec.h"
 #include "engine/workbench/policy_bridge.h"
 #include "engine/workbench/project_file_impl.h"
@@ -21,6 +22,15 @@ std::string said(const Edit& edit, const Project& before, const Project& after, 
   const auto added = after.models.find(ModelId{id});
   if (std::holds_alternative<AddModel>(edit) && added != after.models.end()) return "Add model " + added->second->name;
   return describe(edit, before);
+}
+
+/// An edit that somebody asks for now.
+Result<demonstration::Edit> kept_within(demonstration::Edit edit, DemonstrationId id, const Project& project) {
+  auto* trim = std::get_if<demonstration::Trim>(&edit);
+  const auto found = project.demonstrations.find(id);
+  if (trim == nullptr || found == project.demonstrations.end()) return edit;
+  TROCAR_ASSIGN_OR_RETURN(*trim, demonstration::kept_trim(*found->second, *trim));
+  return edit;
 }
 
 }  // namespace
@@ -263,7 +273,14 @@ Result<std::int64_t> ProjectFile::commit(const Edit& edit) {
   // A long recording is read before the transaction, so that other programs do not wait for it.
   if (const auto* added = std::get_if<AddDemonstration>(&edit)) (void)impl_->blobs.recording(added->recording);
   if (const auto* punch = std::get_if<PunchIn>(&edit)) (void)impl_->blobs.recording(punch->take.recording);
-  Result<std::int64_t> node = impl_->commit([&edit]() -> Result<Edit> { return edit; });
+  Result<std::int64_t> node = impl_->commit([this, &edit]() -> Result<Edit> {
+    Edit kept = edit;
+    if (auto* change = std::get_if<EditDemonstration>(&kept)) {
+      TROCAR_ASSIGN_OR_RETURN(change->edit,
+                              kept_within(std::move(change->edit), change->demonstration, *impl_->project));
+    }
+    return kept;
+  });
   // What another program holds up is tried again.
   if (node || !held_elsewhere()) impl_->blobs.prepare(nullptr, demonstration::Edit{}, nullptr);
   return node;
@@ -402,6 +419,9 @@ std::int64_t ProjectFile::size_bytes() const {
 
 Result<demonstration::Edit> ProjectFile::resolved(demonstration::Edit edit, DemonstrationId demonstration,
                                                   std::int64_t entry) const {
+  if (entry == 0) {
+    TROCAR_ASSIGN_OR_RETURN(edit, kept_within(std::move(edit), demonstration, *impl_->project));
+  }
   TROCAR_ASSIGN_OR_RETURN(edit, with_ways(std::move(edit), demonstration, entry, *impl_->project));
   return workbench::resolved(std::move(edit), *impl_->project, impl_->blobs, impl_->tree.newest() + 1);
 }

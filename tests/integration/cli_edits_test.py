@@ -75,6 +75,24 @@ class Parameters(CommandLineTest):
         self.assertGreater(coarse["effect"]["energy_above_half_rate"], 0.01)
         self.assertIn("aliasing", coarse["remarks"][0])
 
+    def test_a_trim_that_changes_nothing_is_refused_and_one_that_cuts_the_end_away_leaves_it_unknown(self):
+        project = self.recorded_project()
+        for dry in ([], ["--dry-run"]):
+            self.refused("demo", "edit", project, "Expert", "trim", "--from=-5", "--to", "300", *dry, code=USAGE,
+                         saying="already")
+        self.assertEqual(self.answer("demo", "show", project, "Expert")["outcome_doubt"], "")
+        self.edit(project, "trim", "--to", "8")
+        cut = self.answer("demo", "show", project, "Expert")
+        self.assertEqual(cut["outcome"], "unknown")
+        self.assertFalse(cut["placed"])
+        self.assertEqual(cut["outcome_doubt"], "the gates leave out how it ended")
+        self.assertEqual(cut["recorded_outcome"], "success")
+
+    def test_a_mirrored_transfer_says_that_it_fits_no_peg(self):
+        project = self.recorded_project()
+        for dry in (["--dry-run"], []):
+            self.assertIn("no longer fits a peg", self.edit(project, "mirror", *dry)["remarks"][0])
+
     def test_one_channel_of_one_arm_comes_back(self):
         project = self.recorded_project()
         original = self.answer("demo", "show", project, "Expert")["hash"]
