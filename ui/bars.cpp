@@ -100,9 +100,10 @@ std::vector<Lamp> lamps_of(const WorkbenchState& state) {
   }
   // Notes are worth knowing and no problem.
   const auto problems = static_cast<std::int64_t>(problems_of(state));
-  if (problems > 0) {
-    lamps.push_back({count(problems) + (problems == 1 ? " problem" : " problems"), icon::kWarning, count(problems),
-                     false, "Errors and warnings about the selected demonstration", PanelId::kProblems});
+  if (selected_demonstration(state) != nullptr && state.review) {
+    lamps.push_back({count(problems) + (problems == 1 ? " problem" : " problems"),
+                     problems == 0 ? icon::kVerify : icon::kWarning, count(problems), false,
+                     "Errors and warnings about the selected demonstration", PanelId::kProblems});
   }
   if (running > 0) {
     lamps.push_back({count(running) + (running == 1 ? " job" : " jobs"), icon::kTasks, count(running), true,
@@ -218,7 +219,8 @@ void draw_workspaces(Ui& ui, const Settings& settings, BarWords detail, Requests
   }
 }
 
-void draw_lamps(Ui& ui, const std::vector<Lamp>& lamps, BarWords detail, double frames_hz, Requests& requests) {
+void draw_lamps(Ui& ui, const std::vector<Lamp>& lamps, BarWords detail, const Settings& settings,
+                double frames_hz, Requests& requests) {
   const float free_from = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
   float x = ImGui::GetWindowWidth() - ui.px(12);
   const auto place = [&](const std::string& words) {
@@ -239,7 +241,7 @@ void draw_lamps(Ui& ui, const std::vector<Lamp>& lamps, BarWords detail, double 
     spinner_at(ui, {left, std::round(rect.centre_y())}, radius, ui.theme().accent);
   }
   const std::string rate = fmt::format("{:.0f} fps", frames_hz);
-  if (frames_hz > 0.0 && x - framed_width(rate) - ui.px(4) > free_from) {
+  if (settings.frame_rate && x - framed_width(rate) - ui.px(4) > free_from) {
     place(rate);
     ImGui::AlignTextToFramePadding();
     dim_text(ui, rate);
@@ -320,7 +322,7 @@ Requests draw_menu_bar(Ui& ui, const WorkbenchState& state, const Settings& sett
     const BarWords detail = bar_words(ui, lamps);
     draw_menus(ui, state, settings, detail, requests);
     draw_workspaces(ui, settings, detail, requests);
-    draw_lamps(ui, lamps, detail, frames_hz, requests);
+    draw_lamps(ui, lamps, detail, settings, frames_hz, requests);
     ImGui::EndMenuBar();
   }
   ImGui::PopStyleVar();
@@ -338,7 +340,7 @@ Requests draw_tool_bar(Ui& ui, const WorkbenchState& state) {
     const Tool& tool = tools[i];
     if (i > 0) ImGui::SameLine(0.0F, ui.px(tool.space));
     if (tool.label.empty() || detail == ToolWords::kIcons) {
-      command_icon(ui, state, tool.id, requests);
+      command_icon(ui, state, tool.id, requests, tool.style);
     } else {
       command_button(ui, state, tool.id, tool.label, tool.style, requests);
     }

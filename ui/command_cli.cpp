@@ -75,7 +75,7 @@ constexpr std::array<Equivalent, 72> kEquivalents{{
     {"model.train", "trocar model train P DEMO --segment A --method eg-maxent"},
     {"tool.move", "trocar demo edit P DEMO move --at S"},
     {"tool.turn", "trocar demo edit P DEMO rotate --at S"},
-    {"tool.waypoint", "trocar demo edit P DEMO move --at S"},
+    {"tool.waypoint", "trocar demo edit P DEMO waypoint --at S"},
     {"tool.nudge_", "trocar demo edit P DEMO move --at S"},
     {"tool.fine_", "trocar demo edit P DEMO move --at S"},
     {"view.camera_", "trocar view render P DEMO --camera paper|top|side|front --out F.png"},

@@ -12,6 +12,8 @@ using State = WorkbenchState;
 using demonstration::Arms;
 
 constexpr std::string_view kContext = "tool in hand";
+/// The same key stops what plays.
+constexpr std::string_view kAtRest = "playhead at rest";
 /// One cell of the agent's lattice (paper, Table I), and a fine step.
 constexpr double kCell_m = 0.0025;
 constexpr double kFine_m = 0.0005;
@@ -62,12 +64,15 @@ Requests along(const State& state) {
   return one(Command{SetGizmo{settings}});
 }
 
+/// Of a tool that is moved, if none is in hand.
 WaypointDraft draft(const State& state) {
   return draft_at(*selected_demonstration(state), state.gizmo, state.playhead_s);
 }
 
 std::string cannot_insert(const State& state) {
-  if (std::string reason = no_tool_in_hand(state); !reason.empty()) return reason;
+  if (std::string reason = cannot_take(state); !reason.empty()) return reason;
+  if (state.play_speed != 0.0) return "It plays";
+  if (selected_demonstration(state)->gated().empty()) return "It has no samples";
   return draft(state).entry == 0 ? "" : "There is one at the playhead already";
 }
 
@@ -159,7 +164,7 @@ constexpr std::array<RowData, 20> kToolRows{{
      false,
      cannot_insert,
      insert,
-     kContext},
+     kAtRest},
     nudge_row("tool.nudge_x", "Nudge +x", kOneCell, "Ctrl+Right", true, nudge<0, 1, false>),
     nudge_row("tool.nudge_minus_x", "Nudge −x", kOneCell, "Ctrl+Left", false, nudge<0, -1, false>),
     nudge_row("tool.nudge_y", "Nudge +y", kOneCell, "Ctrl+Up", false, nudge<1, 1, false>),

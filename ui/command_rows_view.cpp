@@ -46,7 +46,7 @@ Requests comparison_in_view(const State& state) {
   return one(Command{CompareWith{settings}});
 }
 
-constexpr std::array<RowData, 18> kViewRows{{
+constexpr std::array<RowData, 19> kViewRows{{
     {"view.library",
      "View",
      "Library workspace",
@@ -200,6 +200,15 @@ constexpr std::array<RowData, 18> kViewRows{{
      false,
      nullptr,
      act<UiAction::kSwitchTheme>},
+    {"view.frame_rate",
+     "View",
+     "Frames per second",
+     "Say in the menu bar how often the window is drawn; while nothing changes it is not",
+     nullptr,
+     {},
+     false,
+     nullptr,
+     act<UiAction::kFrameRate>},
     {"view.maximise",
      "View",
      "Maximise panel",

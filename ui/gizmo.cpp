@@ -17,6 +17,8 @@ using Eigen::Vector3d;
 constexpr std::array<const char*, 3> kLetters{"X", "Y", "Z"};
 /// A handle seen more sharply than this from its end (an axis) or its edge (a plane, a ring) is of no use.
 constexpr double kTooSteep = 0.15;
+/// About a grip, of the gizmo's length.
+constexpr float kMargin = 0.2F;
 
 Vector3d axis_of(const spatial::Pose& X_WG, int axis) {
   return X_WG.rotation().col(axis);
@@ -71,8 +73,32 @@ struct Builder {
   const spatial::Pose& X_WG;
   const ViewPort& view;
   double length_m;
+  float margin_px;  ///< What a hand needs about a grip.
   Vector3d eye;
-  std::vector<HandleShape> shapes;
+  std::vector<HandleShape> shapes = {};
+  std::array<double, 3> reach{1.0, 1.0, 1.0};  ///< Of the arrows, of their length; negative: the other way.
+
+  bool in_reach(const Vector3d& p_W) const {
+    const auto at = view.pixel(p_W);
+    if (!at) return false;
+    const Rect& rect = view.rect;
+    return at->x() - margin_px >= rect.x0 && at->x() + margin_px <= rect.x1 && at->y() - margin_px >= rect.y0 &&
+           at->y() + margin_px <= rect.y1;
+  }
+  /// An arrow that would end beyond the picture is shorter, or points the other way; where nothing helps, it is as it
+  /// was.
+  void keep_in_reach(int axis) {
+    constexpr std::array<double, 8> kTried{1.0, 0.85, 0.7, -1.0, -0.85, -0.7, 0.55, -0.55};
+    for (const double tried : kTried) {
+      if (!in_reach(X_WG.p + tried * length_m * axis_of(X_WG, axis))) continue;
+      reach[static_cast<std::size_t>(axis)] = tried;
+      return;
+    }
+  }
+  /// The arrow's direction.
+  Vector3d out(int axis) const {
+    return std::copysign(1.0, reach[static_cast<std::size_t>(axis)]) * axis_of(X_WG, axis);
+  }
 
   void add(Handle handle, const std::vector<Vector3d>& points, const Vector3d& grip) {
     auto outline = pixels(view, points);
@@ -82,13 +108,13 @@ struct Builder {
   void add_axis(int axis) {
     const Vector3d along = axis_of(X_WG, axis);
     if (along.cross(eye).norm() < kTooSteep) return;
-    const Vector3d tip = X_WG.p + length_m * along;
-    add({HandleKind::kAxis, axis}, {X_WG.p + 0.18 * length_m * along, tip}, tip);
+    const Vector3d tip = X_WG.p + reach[static_cast<std::size_t>(axis)] * length_m * along;
+    add({HandleKind::kAxis, axis}, {X_WG.p + 0.18 * length_m * out(axis), tip}, tip);
   }
   void add_plane(int normal) {
     if (std::abs(axis_of(X_WG, normal).dot(eye)) < kTooSteep) return;
-    const Vector3d u = axis_of(X_WG, (normal + 1) % 3);
-    const Vector3d v = axis_of(X_WG, (normal + 2) % 3);
+    const Vector3d u = out((normal + 1) % 3);
+    const Vector3d v = out((normal + 2) % 3);
     const auto corner = [&](double a, double b) -> Vector3d { return X_WG.p + length_m * (a * u + b * v); };
     add({HandleKind::kPlane, normal}, {corner(0.36, 0.36), corner(0.58, 0.36), corner(0.58, 0.58), corner(0.36, 0.58)},
         corner(0.47, 0.47));
@@ -103,8 +129,14 @@ struct Builder {
       const double angle = 2.0 * std::numbers::pi * i / kPoints;
       ring.emplace_back(X_WG.p + length_m * (std::cos(angle) * u + std::sin(angle) * v));
     }
-    // Taken where it is not crossed by the two others.
-    add({HandleKind::kRing, axis}, ring, X_WG.p + length_m * std::numbers::sqrt2 / 2.0 * (u + v));
+    // Taken where it is not crossed by the two others, and within the picture if it can be.
+    constexpr std::array<std::array<double, 2>, 4> kQuarters{{{1.0, 1.0}, {-1.0, 1.0}, {1.0, -1.0}, {-1.0, -1.0}}};
+    const auto grip_in = [&](const std::array<double, 2>& quarter) -> Vector3d {
+      return X_WG.p + length_m * std::numbers::sqrt2 / 2.0 * (quarter[0] * u + quarter[1] * v);
+    };
+    const auto* found = std::find_if(kQuarters.begin(), kQuarters.end(),
+                                     [&](const auto& quarter) { return in_reach(grip_in(quarter)); });
+    add({HandleKind::kRing, axis}, ring, grip_in(found == kQuarters.end() ? kQuarters[0] : *found));
   }
 };
 
@@ -158,7 +190,8 @@ std::string name_of(const Handle& handle) {
 std::vector<HandleShape> handle_shapes(const workbench::GizmoSettings& settings, const spatial::Pose& X_WG,
                                        const ViewPort& view, float length_px) {
   const double length_m = static_cast<double>(length_px) * view.pixel_m(X_WG.p);
-  Builder builder{X_WG, view, length_m, toward_eye(view, X_WG.p), {}};
+  Builder builder{X_WG, view, length_m, kMargin * length_px, toward_eye(view, X_WG.p)};
+  for (int axis = 0; axis < 3; ++axis) builder.keep_in_reach(axis);
   for (int axis = 0; axis < 3; ++axis) {
     if (settings.axis >= 0 && axis != settings.axis) continue;
     if (settings.kind == workbench::GizmoKind::kTurn) builder.add_ring(axis);

@@ -44,7 +44,8 @@ struct HandleShape {
 };
 
 /// Of the gizmo at a pose (its axes are the handles'), `length_px` long; the ones that cannot be seen or used from here
-/// (an axis that points at the eye, a ring seen from its edge) are left out. The nearest to the eye last.
+/// (an axis that points at the eye, a ring seen from its edge) are left out; arrows that would end beyond the picture are
+/// shorter or point the other way. The nearest to the eye last.
 std::vector<HandleShape> handle_shapes(const workbench::GizmoSettings& settings, const spatial::Pose& X_WG,
                                        const ViewPort& view, float length_px);
 

@@ -30,6 +30,7 @@ enum class UiAction {
   kScaleDown,
   kScaleReset,
   kSwitchTheme,
+  kFrameRate,
   kNextRuler,
   kResetLayout,
   kMaximise,

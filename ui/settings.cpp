@@ -130,6 +130,9 @@ Result<Settings> settings_from_json(std::string_view text, Diagnostics& diagnost
   // A lane that an older file does not know is shown or hidden as it is at first.
   settings.hidden_lanes = lanes_from(json, "hidden_lanes") | (kLanesHiddenAtFirst & ~lanes_from(json, "shown_lanes"));
   settings.ruler = ruler_from(json);
+  if (json.contains("frame_rate") && json["frame_rate"].is_boolean()) {
+    settings.frame_rate = json["frame_rate"].get<bool>();
+  }
   if (json.contains("recent") && json["recent"].is_array()) {
     for (const Json& path : json["recent"]) {
       if (path.is_string() && settings.recent.size() < 8) settings.recent.push_back(path.get<std::string>());
@@ -149,6 +152,7 @@ std::string to_json(const Settings& settings) {
                   {"hidden_lanes", names_of_lanes(settings.hidden_lanes & ~kLanesHiddenAtFirst)},
                   {"shown_lanes", names_of_lanes(~settings.hidden_lanes & kLanesHiddenAtFirst)},
                   {"ruler", std::string(name_of(settings.ruler))},
+                  {"frame_rate", settings.frame_rate},
                   {"recent", settings.recent}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace);
 }

@@ -29,6 +29,7 @@ struct Settings {
   /// Of the timeline, a bit for each `Lane`; by name in the file.
   std::uint32_t hidden_lanes = kLanesHiddenAtFirst;
   RulerUnit ruler = RulerUnit::kTime;
+  bool frame_rate = false;          ///< Said in the menu bar.
   std::vector<std::string> recent;  ///< Projects, newest first, at most 8.
 
   Tile& layout() { return layouts[static_cast<std::size_t>(workspace)]; }

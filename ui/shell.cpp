@@ -234,6 +234,7 @@ void Shell::act(UiAction action, const Ui& ui, const WorkbenchState& state, Shel
   if (action == UiAction::kScaleReset) settings_.scale = 1.0F;
   if (action == UiAction::kNextRuler) time_->ruler = next(time_->ruler);
   if (action == UiAction::kSwitchTheme) settings_.theme = next(settings_.theme);
+  if (action == UiAction::kFrameRate) settings_.frame_rate = !settings_.frame_rate;
   if (action == UiAction::kCopyCommand) result.clipboard = status_.last_command;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/demonstration/motion.h"
+#include "engine/demonstration/sampling_rate.h"
 
 namespace trocar::app {
 namespace {
@@ -66,6 +67,7 @@ Json demonstration_json(const demonstration::Demonstration& document) {
   const demonstration::RecordingInfo& recording = *document.recording;
   const std::size_t samples = document.gated().size();
   const double duration_s = document.duration_s();
+  const double step_s = Tick{demonstration::usual_step(document.gated())}.seconds();
   Json segments = Json::array();
   for (const demonstration::SegmentSpan& span : gated_segments(document)) {
     segments.push_back({{"label", std::string(1, demonstration::letter(span.label))},
@@ -78,7 +80,7 @@ Json demonstration_json(const demonstration::Demonstration& document) {
           {"begin_s", document.begin_s},
           {"end_s", document.end_s},
           {"samples", samples},
-          {"rate_hz", duration_s > 0.0 ? static_cast<double>(samples - 1) / duration_s : 0.0},
+          {"rate_hz", step_s > 0.0 ? 1.0 / step_s : 0.0},
           {"segments", segments},
           {"path_length_m", demonstration::path_length_m(document, 0)},
           {"outcome", demonstration::to_string(document.outcome())},

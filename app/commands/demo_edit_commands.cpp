@@ -73,7 +73,7 @@ using EditMaker = std::function<Result<std::optional<demonstration::Edit>>(const
 
 /// What became of the document, or would.
 Answer changed(const demonstration::Edit& edit, const demonstration::Demonstration& before,
-               const demonstration::Demonstration& after) {
+               const demonstration::Demonstration& after, bool in_detail) {
   Answer answer;
   answer.json = {{"name", demonstration::name_of(edit)},    {"demonstration", after.id.value},
                  {"hash_before", hash_text(before.hash())}, {"hash_after", hash_text(after.hash())},
@@ -84,7 +84,7 @@ Answer changed(const demonstration::Edit& edit, const demonstration::Demonstrati
         {{"at_s", join.at_s}, {"gap_s", join.gap_s}, {"moved_m", join.moved_m}, {"turned_rad", join.turned_rad}});
   }
   if (!joins.empty()) answer.text = demonstration::sentence_of(joins);
-  add_edit_effect(edit, before, after, answer);
+  add_edit_effect(edit, before, after, in_detail, answer);
   return answer;
 }
 
@@ -107,11 +107,11 @@ Result<Answer> commit(const Commitment& how, Console& console, const EditMaker& 
   if (how.dry) {
     TROCAR_ASSIGN_OR_RETURN(const demonstration::Edit found, file.resolved(*edit, before->id));
     TROCAR_ASSIGN_OR_RETURN(const demonstration::Demonstration after, demonstration::apply(*before, found));
-    answer = changed(found, *before, after);
+    answer = changed(found, *before, after, true);
     answer.json["id"] = nullptr;
   } else {
     TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(whole));
-    answer = changed(*edit, *before, *file.project()->demonstrations.at(before->id));
+    answer = changed(*edit, *before, *file.project()->demonstrations.at(before->id), false);
     answer.json["id"] = id;
   }
   answer.json["dry_run"] = how.dry;
@@ -338,6 +338,17 @@ void add_demo_edit_commands(CLI::App& noun, Action& chosen) {
         },
         run_edit);
   });
+  // As the key of the window does: a move by nothing, to be filled in.
+  add_verb<EditArguments>(
+      edit, chosen, "waypoint", "Keep an instant to displace a tool at: a move, by nothing unless said",
+      [target](CLI::App& verb, EditArguments& a) {
+        a.target = target;
+        a.name = demonstration::MoveTool::kName;
+        bind_parameters(verb, a, demonstration::MoveTool{}, false);
+        verb.get_option("--at")->required();
+        verb.add_flag("--dry-run", a.dry, "Say what it would do, and change nothing");
+      },
+      run_edit);
   add_verb<RemoveArguments>(
       noun, chosen, "remove", "Put a demonstration into the trash",
       [](CLI::App& verb, RemoveArguments& a) { bind_target(verb, a.target); }, run_remove);

@@ -37,11 +37,15 @@ std::string words_of(const demonstration::Edit& edit, const EditEffect& effect,
   return "";
 }
 
-void add_idle_cuts(const demonstration::TrimIdle& edit, const demonstration::Demonstration& before, Answer& answer) {
+void add_idle_cuts(const demonstration::TrimIdle& edit, const demonstration::Demonstration& before, bool in_detail,
+                   Answer& answer) {
   const auto cuts = demonstration::idle_cuts(before, edit);
   if (!cuts) return;
   answer.json["spans"] = Json::array();
   int number = 0;
+  std::int64_t left_out = 0;
+  double left_out_s = 0.0;
+  std::string list;
   for (const demonstration::IdleCut& cut : *cuts) {
     answer.json["spans"].push_back({{"span", ++number},
                                     {"begin_s", cut.begin_s},
@@ -50,16 +54,23 @@ void add_idle_cuts(const demonstration::TrimIdle& edit, const demonstration::Dem
                                     {"to_s", cut.to_s},
                                     {"where", cut.at_end ? "end" : "inside"},
                                     {"stays", cut.stays}});
-    answer.text += fmt::format("\n{:>4}  {:.2f}–{:.2f} s is idle ({}): {}", number, cut.begin_s, cut.end_s,
+    if (!cut.stays) {
+      ++left_out;
+      left_out_s += cut.to_s - cut.from_s;
+    }
+    list += fmt::format("\n{:>4}  {:.2f}–{:.2f} s is idle ({}): {}", number, cut.begin_s, cut.end_s,
                                cut.at_end ? "an end" : "inside",
                                cut.stays ? "stays" : fmt::format("{:.2f}–{:.2f} s goes", cut.from_s, cut.to_s));
   }
+  answer.text += fmt::format("{}{} of {} idle {} out, {:.2f} s", answer.text.empty() ? "" : "; ", left_out, number,
+                             number == 1 ? "span" : "spans", left_out_s);
+  if (in_detail) answer.text += list;
 }
 
 }  // namespace
 
 void add_edit_effect(const demonstration::Edit& edit, const demonstration::Demonstration& before,
-                     const demonstration::Demonstration& after, Answer& answer) {
+                     const demonstration::Demonstration& after, bool in_detail, Answer& answer) {
   const EditEffect effect = demonstration::effect_of(edit, before, after);
   const demonstration::Difference difference = demonstration::difference(before, after);
   answer.json["effect"] = {{"duration_change_s", difference.duration_change_s},
@@ -80,7 +91,7 @@ void add_edit_effect(const demonstration::Edit& edit, const demonstration::Demon
   };
   say(words_of(edit, effect, difference));
   for (const std::string& remark : effect.remarks) say(remark);
-  if (const auto* idle = std::get_if<demonstration::TrimIdle>(&edit)) add_idle_cuts(*idle, before, answer);
+  if (const auto* idle = std::get_if<demonstration::TrimIdle>(&edit)) add_idle_cuts(*idle, before, in_detail, answer);
 }
 
 }  // namespace trocar::app

@@ -8,8 +8,8 @@
 namespace trocar::app {
 
 /// Adds "effect", "remarks" and, of a trim of what is idle, "spans" to the answer's JSON, and to its text what there is
-/// to say. `after` is what `edit` made of `before`.
+/// to say; `in_detail`: each of the spans, too. `after` is what `edit` made of `before`.
 void add_edit_effect(const demonstration::Edit& edit, const demonstration::Demonstration& before,
-                     const demonstration::Demonstration& after, Answer& answer);
+                     const demonstration::Demonstration& after, bool in_detail, Answer& answer);
 
 }  // namespace trocar::app

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "engine/demonstration/edit_fields.h"
+#include "engine/demonstration/edit_words.h"
 #include "engine/spatial/units.h"
 
 namespace trocar::demonstration {
@@ -131,6 +133,22 @@ struct Teller {
 
 std::string sentence(const Edit& edit, std::string_view name, std::string_view source) {
   return std::visit(Teller{name, source}, edit);
+}
+
+std::string particulars(const Edit& edit) {
+  constexpr std::string_view kName = "\x1f";
+  std::string words = sentence(edit, kName);
+  for (const std::string_view before : {" of ", " on ", " from ", " in ", " "}) {
+    const std::string whole = std::string(before) + std::string(kName);
+    for (std::size_t at = words.find(whole); at != std::string::npos; at = words.find(whole)) {
+      words.erase(at, whole.size());
+    }
+  }
+  // What the title says already.
+  const std::string title = title_of(name_of(edit));
+  const std::string first = words.substr(0, words.find(' '));
+  if (title.starts_with(first)) words.erase(0, std::min(words.size(), first.size() + 1));
+  return words;
 }
 
 }  // namespace trocar::demonstration

@@ -67,6 +67,11 @@ bool Workbench::Impl::project_open() {
   return file != nullptr;
 }
 
+bool Workbench::Impl::document_free() {
+  if (recording) log(Severity::kWarning, "A transfer is being recorded");
+  return !recording;
+}
+
 bool Workbench::Impl::is_output(const std::filesystem::path& path) {
   if (!file || !store::is_part_of_project(path, file->path())) return true;
   log(Severity::kError, "That is the project itself: " + path.string());

@@ -35,7 +35,7 @@ void Workbench::Impl::poll_import() {
 }
 
 void Workbench::Impl::on(const MakeImport&) {
-  if (!project_open()) return;
+  if (!project_open() || !document_free()) return;
   if (state.import_pending || !state.import || state.import->parts.empty()) {
     return log(Severity::kWarning, "There is nothing to import yet");
   }

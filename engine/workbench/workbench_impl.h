@@ -77,6 +77,8 @@ struct Workbench::Impl {
   bool succeeded(const Status& status);
   /// False, with a word in the log, unless a project is open and stays so.
   bool project_open();
+  /// False, and said, while something is recorded: an edit would land on the line that the recording does not know of.
+  bool document_free();
   /// False, with a word in the log, for a path that is the project's own.
   bool is_output(const std::filesystem::path& path);
   void take_project(std::shared_ptr<ProjectFile> opened);

@@ -61,7 +61,7 @@ void Workbench::Impl::on(const SimulateDemonstration& command) {
 }
 
 void Workbench::Impl::on(const FixProblems& command) {
-  if (!project_open()) return;
+  if (!project_open() || !document_free()) return;
   const auto shown = demonstration(command.demonstration);
   if (!shown) return log(Severity::kError, fmt::format("there is no demonstration {}", command.demonstration.value));
   review::ReviewOptions asked;
@@ -71,8 +71,8 @@ void Workbench::Impl::on(const FixProblems& command) {
     const std::string message = edits->empty() ? "no fix helps" : fmt::format("{} fixes made", edits->size());
     return JobResult{message, [this, shown, edits]() -> Status {
                        // They are for the version that they were found for.
-                       if (demonstration(shown->id) != shown) {
-                         return fail(ErrorCode::kCheckFailed, "the demonstration was changed meanwhile");
+                       if (recording || demonstration(shown->id) != shown) {
+                         return fail(ErrorCode::kCheckFailed, recording ? "A transfer is being recorded" : "the demonstration was changed meanwhile");
                        }
                        if (edits->empty()) return {};
                        const Result<std::int64_t> made = file->commit(mending(*shown, *edits));

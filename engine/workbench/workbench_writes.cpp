@@ -140,11 +140,13 @@ Status Workbench::Impl::keep_model(const std::shared_ptr<ProjectFile>& owner,
 }
 
 void Workbench::Impl::on(const CommitEdit& command) {
+  if (!document_free()) return;
   if (file && make_beside(command)) return;
   write([this, command] { return commit(command); });
 }
 
 void Workbench::Impl::on(const Undo&) {
+  if (!document_free()) return;
   write([this] {
     return move([this]() -> Status {
       const std::string undone = description_of(file->head());
@@ -156,6 +158,7 @@ void Workbench::Impl::on(const Undo&) {
 }
 
 void Workbench::Impl::on(const Redo&) {
+  if (!document_free()) return;
   write([this] {
     return move([this]() -> Status {
       TROCAR_RETURN_IF_ERROR(file->redo());
@@ -166,6 +169,7 @@ void Workbench::Impl::on(const Redo&) {
 }
 
 void Workbench::Impl::on(const GoToHistory& command) {
+  if (!document_free()) return;
   write([this, command] { return move([this, command] { return file->go_to(command.node); }); });
 }
 

@@ -332,6 +332,28 @@ TEST_CASE("a take by hand is driven live, waits for its verdict, is kept as a pe
   CHECK(bench.state().jobs.front().state == JobState::kDone);
 }
 
+TEST_CASE("nothing of the document is changed while a take goes on or waits for its verdict, and it is said why") {
+  Bench bench;
+  bench.record();
+  const DemonstrationId id = bench.state().demonstration;
+  bench.workbench.post(left_arm_by_hand());
+  record_until_verdict(bench);
+  const std::int64_t head = bench.state().head;
+  const std::size_t jobs = bench.state().jobs.size();
+  const Edit offset = EditDemonstration{id, demonstration::Offset{demonstration::Arms::kLeft, {0.0, 0.0, 0.002}}};
+  for (const Command& asked : std::vector<Command>{CommitEdit{offset}, Undo{}, Redo{}, GoToHistory{0}, FixProblems{id}}) {
+    bench.workbench.post(asked);
+    bench.workbench.poll();
+    CHECK(bench.state().head == head);
+    CHECK(bench.state().log.back().text == "A transfer is being recorded");
+  }
+  CHECK(bench.state().jobs.size() == jobs);
+  bench.workbench.post(JudgeTake{TakeVerdict::kDiscard});
+  poll_until(bench, [&] { return !bench.state().take; });
+  bench.run(CommitEdit{offset});
+  CHECK(bench.state().head != head);
+}
+
 TEST_CASE("a take that is made again leaves nothing, keep and next goes on, and leaving the program keeps the last") {
   Bench bench;
   bench.workbench.post(left_arm_by_hand());

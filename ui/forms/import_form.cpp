@@ -48,6 +48,14 @@ std::vector<double> numbers_of(const std::string& text) {
   return numbers;
 }
 
+/// What was found, without what is said as a doubt already.
+std::vector<std::string> found_beside(std::vector<std::string> found, const std::vector<std::string>& doubts) {
+  std::erase_if(found, [&](const std::string& words) {
+    return std::find(doubts.begin(), doubts.end(), words) != doubts.end();
+  });
+  return found;
+}
+
 }  // namespace
 
 void ImportForm::open_on(std::filesystem::path file) {
@@ -193,7 +201,7 @@ bool ImportForm::draw_settings(Ui& ui, const ImportView* view) {
   return changed;
 }
 
-void ImportForm::draw_part(Ui& ui, const ImportView& view, float height) {
+void ImportForm::draw_part(Ui& ui, const ImportView& view, const std::vector<std::string>& doubts, float height) {
   part_ = std::clamp(part_, 0, static_cast<int>(view.parts.size()) - 1);
   if (view.parts.size() > 1) {
     UniqueNames unique;
@@ -203,18 +211,19 @@ void ImportForm::draw_part(Ui& ui, const ImportView& view, float height) {
     combo(ui, "Looked at", part_, names, {.help = "All of them are imported"});
   }
   const ImportPart& part = view.parts[static_cast<std::size_t>(part_)];
+  heading(ui, "Found, and left as it is");
+  sentences(ui, icon::kInfo, found_beside(part.found, doubts), ui.theme().accent);
+  if (!part.lossy.empty()) {
+    heading(ui, "Not in the file");
+    sentences(ui, icon::kWarning, part.lossy, ui.theme().warning);
+  }
+  ImGui::Dummy({0.0F, ui.px(4)});
   preview_.draw(ui, part.document, {ImGui::GetContentRegionAvail().x, height});
   fact(ui, "Demonstrations", count(static_cast<std::int64_t>(view.parts.size())));
   fact(ui, "Duration", seconds(part.document->duration_s()));
   fact(ui, "Samples", count(static_cast<std::int64_t>(part.document->gated().size())));
   fact(ui, "Notes", count(static_cast<std::int64_t>(part.notes.size())));
   fact(ui, "Problems", counted(part.errors, "error") + ", " + counted(part.warnings, "warning"));
-  heading(ui, "Found, and left as it is");
-  sentences(ui, icon::kInfo, part.found, ui.theme().accent);
-  if (!part.lossy.empty()) {
-    heading(ui, "Not in the file");
-    sentences(ui, icon::kWarning, part.lossy, ui.theme().warning);
-  }
 }
 
 void ImportForm::draw_outcome(Ui& ui, const WorkbenchState& state, const ImportView* view, float height) {
@@ -229,11 +238,13 @@ void ImportForm::draw_outcome(Ui& ui, const WorkbenchState& state, const ImportV
     sentences(ui, icon::kWarning, std::array{view->error}, ui.theme().danger);
     wrapped_text(ui, "Nothing was changed. Correct how the file is read, or choose another one.", ui.theme().text_dim);
   }
-  if (view->layout.columns && !view->layout.columns->doubts.empty() && !settings_.map) {
+  std::vector<std::string> doubts;
+  if (view->layout.columns && !settings_.map) doubts = view->layout.columns->doubts;
+  if (!doubts.empty()) {
     heading(ui, "Not certain");
-    sentences(ui, icon::kHelp, view->layout.columns->doubts, ui.theme().warning);
+    sentences(ui, icon::kHelp, doubts, ui.theme().warning);
   }
-  if (!view->parts.empty()) draw_part(ui, *view, height);
+  if (!view->parts.empty()) draw_part(ui, *view, doubts, height);
 }
 
 Requests ImportForm::draw_acts(Ui& ui, const WorkbenchState& state, const ImportView* view) {

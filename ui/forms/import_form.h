@@ -37,7 +37,8 @@ class ImportForm final : public Form {
   bool draw_presets(Ui& ui);
   bool draw_transfer(Ui& ui);
   void draw_outcome(Ui& ui, const WorkbenchState& state, const workbench::ImportView* view, float height);
-  void draw_part(Ui& ui, const workbench::ImportView& view, float height);
+  /// `doubts` are said already.
+  void draw_part(Ui& ui, const workbench::ImportView& view, const std::vector<std::string>& doubts, float height);
   Requests draw_acts(Ui& ui, const WorkbenchState& state, const workbench::ImportView* view);
 
   std::filesystem::path given_;  ///< To open on.

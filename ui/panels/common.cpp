@@ -54,6 +54,10 @@ bool draw_welcome(Ui& ui, const WorkbenchState& state, Requests& requests) {
   return true;
 }
 
+std::string_view being_recorded(const WorkbenchState& state) {
+  return state.live ? "A transfer is being recorded" : "";
+}
+
 void command_button(Ui& ui, const WorkbenchState& state, std::string_view id, std::string_view label, ButtonStyle style,
                     Requests& requests) {
   const CommandRow& row = command(id);
@@ -64,13 +68,12 @@ void command_button(Ui& ui, const WorkbenchState& state, std::string_view id, st
   }
 }
 
-void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requests& requests) {
+void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requests& requests, ButtonStyle style) {
   const CommandRow& row = command(id);
   const std::string reason = row.reason_now(state);
   const std::string help = std::string(row.title) + ": " + std::string(row.help);
   const std::string keys(shown_keys(ui, row.id));
-  const WidgetOptions options{
-      .icon = row.icon, .help = help, .shortcut = keys, .reason = reason, .style = ButtonStyle::kQuiet};
+  const WidgetOptions options{.icon = row.icon, .help = help, .shortcut = keys, .reason = reason, .style = style};
   if (icon_button(ui, row.title, options)) append(requests, row.run(state));
 }
 

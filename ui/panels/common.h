@@ -15,10 +15,14 @@ bool draw_no_project(Ui& ui, const WorkbenchState& state);
 /// The same at length, once in the window: empty, loading or error, with what can be done about it.
 bool draw_welcome(Ui& ui, const WorkbenchState& state, Requests& requests);
 
+/// Why nothing of the document can be changed while a take goes on or waits for its verdict; "" if it can.
+std::string_view being_recorded(const WorkbenchState& state);
+
 /// A button for a row of the command table: its icon, help, keys and reason.
 void command_button(Ui& ui, const WorkbenchState& state, std::string_view id, std::string_view label, ButtonStyle style,
                     Requests& requests);
-void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requests& requests);
+void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requests& requests,
+                  ButtonStyle style = ButtonStyle::kQuiet);
 
 /// Something of the field is drawn in the 3-D view: it is on, and a slice or the voxels are chosen.
 bool shows_field(const workbench::FieldSettings& settings);

@@ -172,6 +172,19 @@ std::string name_of_entry(const StackEntry& entry) {
   return entry.name.empty() ? demonstration::title_of(demonstration::name_of(*entry.edit)) : entry.name;
 }
 
+/// What tells this edit from another one of its kind, below its name.
+void draw_particulars(Ui& ui, const Edit& edit) {
+  const std::string words = demonstration::particulars(edit);
+  if (words.empty()) return;
+  const FontScope font(ui.fonts().small);
+  const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
+  const float left = ImGui::GetCursorPosX() + ui.px(24);
+  ImGui::SetCursorPos({left, ImGui::GetCursorPosY() - ui.px(4)});
+  const std::string shown = fitted(words, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(shown.c_str());
+  note_item(ui, "text", "Particulars", words, {.help = shown == words ? std::string_view() : std::string_view(words)});
+}
+
 /// "2 errors, 5 warnings; before 3, 5".
 std::string problems_with(const WorkbenchState& state) {
   using demonstration::Severity;
@@ -333,7 +346,9 @@ void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& reque
   ImGui::Dummy({0.0F, ui.px(2)});
   draw_outcome(ui, state);
   ImGui::Dummy({0.0F, ui.px(2)});
+  std::string_view why = being_recorded(state);
   const bool impossible = !draft_->problem.empty() || (state.preview && !state.preview->error.empty());
+  if (why.empty() && impossible) why = "The edit cannot be made as it is";
   const bool apply = button(ui,
                             draft_->entry != 0   ? "Change"
                             : draft_->copies > 0 ? "Make copies"
@@ -341,7 +356,7 @@ void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& reque
                             {.icon = icon::kVerify,
                              .help = "Commit the edit; it can be undone, changed and switched off",
                              .shortcut = "Enter",
-                             .reason = impossible ? "The edit cannot be made as it is" : "",
+                             .reason = why,
                              .style = ButtonStyle::kPrimary});
   ImGui::SameLine();
   const bool cancel =
@@ -349,7 +364,7 @@ void EditsPanel::draw_draft(Ui& ui, const WorkbenchState& state, Requests& reque
   if (cancel || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) return end(requests);
   // Where no field is typed in and no widget is pressed by it.
   const bool entered =
-      ui.input().pressed(Key::kEnter) && !ImGui::GetIO().WantTextInput && !ui.focus().shown() && !impossible;
+      ui.input().pressed(Key::kEnter) && !ImGui::GetIO().WantTextInput && !ui.focus().shown() && why.empty();
   if (apply || entered) commit(requests);
 }
 
@@ -357,9 +372,9 @@ void EditsPanel::draw_choice(Ui& ui, const WorkbenchState& state) {
   static const std::vector<std::string> kTitles = titles_of_edits();
   form_label(ui, "New edit");
   combo(ui, "Kind of edit", kind_, kTitles, {.help = "What to do to the demonstration"});
-  const std::string why = state.live ? "A transfer is being recorded" : "";
-  if (!button(ui, "Add edit…",
-              {.icon = icon::kPlus, .help = "Set its parameters and see what it does", .reason = why})) {
+  if (!button(
+          ui, "Add edit…",
+          {.icon = icon::kPlus, .help = "Set its parameters and see what it does", .reason = being_recorded(state)})) {
     return;
   }
   begin_edit({demonstration::default_edits()[static_cast<std::size_t>(kind_)]}, state);
@@ -370,7 +385,9 @@ void EditsPanel::draw_entry(Ui& ui, const WorkbenchState& state, const Demonstra
   const StackEntry& entry = (*shown.stack)[static_cast<std::size_t>(place)];
   const Scope scope(ui, fmt::format("{}", place + 1));
   bool enabled = entry.enabled;
-  if (checkbox(ui, name_of_entry(entry), enabled, {.help = demonstration::sentence(*entry.edit, shown.name)})) {
+  const std::string_view live = being_recorded(state);
+  const std::string says = demonstration::sentence(*entry.edit, shown.name);
+  if (checkbox(ui, name_of_entry(entry), enabled, {.help = says, .reason = live})) {
     requests.emplace_back(Command{CommitEdit{workbench::EnableStackEntry{shown.id, entry.id, enabled}}});
   }
   const int last = static_cast<int>(shown.stack->size()) - 1;
@@ -378,7 +395,8 @@ void EditsPanel::draw_entry(Ui& ui, const WorkbenchState& state, const Demonstra
   ImGui::SameLine(std::max(ImGui::GetWindowContentRegionMax().x - tools, ui.px(60)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(2), ui.px(4)});
   const auto tool = [&](std::string_view label, const char* sign, std::string_view help, std::string_view reason) {
-    return icon_button(ui, label, {.icon = sign, .help = help, .reason = reason, .style = ButtonStyle::kQuiet});
+    const std::string_view first = live.empty() ? reason : live;
+    return icon_button(ui, label, {.icon = sign, .help = help, .reason = first, .style = ButtonStyle::kQuiet});
   };
   if (tool("Change", icon::kPencil, "Change its parameters", "")) begin(*entry.edit, *state.project, shown, entry.id);
   ImGui::SameLine();
@@ -394,6 +412,7 @@ void EditsPanel::draw_entry(Ui& ui, const WorkbenchState& state, const Demonstra
     requests.emplace_back(Command{CommitEdit{workbench::RemoveStackEntry{shown.id, entry.id}}});
   }
   ImGui::PopStyleVar();
+  draw_particulars(ui, *entry.edit);
   if (!entry.conflict.empty()) {
     wrapped_text(ui, fmt::format("{} Conflict, passed over: {}", icon::kWarning, entry.conflict), ui.theme().warning);
   }

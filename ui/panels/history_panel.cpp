@@ -120,7 +120,7 @@ void HistoryPanel::draw_lanes(const Ui& ui, const HistoryRow& row, const Rect& r
 }
 
 void HistoryPanel::draw_buttons(Ui& ui, const WorkbenchState& state, const HistoryRow& row, Requests& requests) const {
-  const std::string reason = state.live                                 ? "A transfer is being recorded"
+  const std::string reason = state.live                                 ? std::string(being_recorded(state))
                              : selected_demonstration(state) == nullptr ? "No demonstration is selected"
                              : row.node < state.demonstration.value     ? "It was not there yet"
                                                                         : "";
@@ -145,7 +145,7 @@ void HistoryPanel::draw_row(Ui& ui, const WorkbenchState& state, const HistoryRo
   const std::string help = label + ": go to this state; nothing is lost";
   const std::string value = head ? (checkpoint.empty() ? "HEAD" : "HEAD " + checkpoint) : checkpoint;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool clicked = selectable_row(ui, name, head, value, {.help = help, .height = height});
+  const bool clicked = selectable_row(ui, name, head, value, {.help = help, .reason = being_recorded(state), .height = height});
   const ImVec2 next = ImGui::GetCursorScreenPos();
   const Rect rect{at.x, at.y, at.x + ImGui::GetContentRegionAvail().x, at.y + height};
   float left = rect.x0 + ui.px(8);
@@ -169,7 +169,8 @@ void HistoryPanel::draw_row(Ui& ui, const WorkbenchState& state, const HistoryRo
     list.AddText({left, text_y}, to_u32(ui.theme().accent), words.c_str());
     left += ImGui::CalcTextSize(words.c_str()).x + ui.px(8);
   }
-  list.AddText({left, text_y}, to_u32(line ? ui.theme().text : ui.theme().text_dim),
+  const Rgba ink = state.live ? ui.theme().text_disabled : line ? ui.theme().text : ui.theme().text_dim;
+  list.AddText({left, text_y}, to_u32(ink),
                fitted(label, std::max(clock_x - left - ui.px(6), 0.0F)).c_str());
   list.AddText({clock_x, text_y}, to_u32(ui.theme().text_dim), clock.c_str());
   {
@@ -178,7 +179,7 @@ void HistoryPanel::draw_row(Ui& ui, const WorkbenchState& state, const HistoryRo
     draw_buttons(ui, state, row, requests);
   }
   ImGui::SetCursorScreenPos(next);
-  if (clicked && !head) requests.emplace_back(Command{workbench::GoToHistory{row.node}});
+  if (clicked && !head && !state.live) requests.emplace_back(Command{workbench::GoToHistory{row.node}});
 }
 
 Requests HistoryPanel::draw(Ui& ui, const WorkbenchState& state) {

@@ -149,7 +149,7 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
     name_ = last_name_ = shown->name;
   }
   form_label(ui, "Name");
-  if (text_field(ui, "Name", name_, "Name") && !name_.empty() && name_ != shown->name) {
+  if (text_field(ui, "Name", name_, "Name", {.reason = being_recorded(state)}) && !name_.empty() && name_ != shown->name) {
     requests.emplace_back(
         Command{workbench::CommitEdit{workbench::EditDemonstration{shown->id, demonstration::Rename{name_}}}});
   }

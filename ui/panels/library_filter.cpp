@@ -60,7 +60,7 @@ void LibraryFilter::draw_saved(Ui& ui, const WorkbenchState& state, Requests& re
   if (text_.empty() || !error_.empty()) return;
   if (known) {
     flow(button_width(ui, "Forget", icon::kTrash), ui.px(6));
-    if (button(ui, "Forget", {.icon = icon::kTrash, .help = "Take this filter out of the project"})) {
+    if (button(ui, "Forget", {.icon = icon::kTrash, .help = "Take this filter out of the project", .reason = being_recorded(state)})) {
       const auto found =
           std::find_if(saved.begin(), saved.end(), [&](const auto& each) { return each.second == text_; });
       requests.emplace_back(Command{workbench::CommitEdit{workbench::RemoveFilter{found->first}}});
@@ -70,7 +70,8 @@ void LibraryFilter::draw_saved(Ui& ui, const WorkbenchState& state, Requests& re
   flow(width, ui.px(6));
   text_field(ui, "Filter name", name_, "Name to save it by", {.width = width});
   flow(button_width(ui, "Save", nullptr), ui.px(6));
-  const char* reason = name_.empty() ? "Give it a name first" : "";
+  std::string_view reason = being_recorded(state);
+  if (reason.empty() && name_.empty()) reason = "Give it a name first";
   if (button(ui, "Save",
              {.help = "Keep this filter in the project; HDF5 exports hold it as a mask", .reason = reason})) {
     requests.emplace_back(Command{workbench::CommitEdit{workbench::SaveFilter{name_, text_}}});

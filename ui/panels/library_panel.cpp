@@ -217,7 +217,7 @@ void LibraryPanel::draw_trash(Ui& ui, const WorkbenchState& state, Requests& req
     ImGui::AlignTextToFramePadding();
     dim_text(ui, fitted(words, ImGui::GetContentRegionAvail().x - width - ui.px(12)));
     flow(width, ui.px(8));
-    const char* reason = state.live ? "A transfer is being recorded" : "";
+    const std::string_view reason = being_recorded(state);
     if (button(ui, "Restore", {.icon = icon::kUndo, .help = "Take it out of the trash", .reason = reason})) {
       requests.emplace_back(workbench::Command{workbench::CommitEdit{workbench::RestoreDemonstration{id}}});
     }

@@ -114,7 +114,7 @@ void ProblemsPanel::draw_fix(Ui& ui, const WorkbenchState& state, const Problem&
   const Result<demonstration::Edit> edit = review::edit_of_fix(problem);
   if (!edit) return wrapped_text(ui, edit.error().text(), ui.theme().danger);
   wrapped_text(ui, "Fix: " + problem.fix, ui.theme().text_dim);
-  const std::string why = state.live             ? "A transfer is being recorded"
+  const std::string why = state.live             ? std::string(being_recorded(state))
                           : state.review_pending ? "The problems are being worked out"
                                                  : "";
   if (previewed_ != problem.id) {

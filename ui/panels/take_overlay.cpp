@@ -107,12 +107,17 @@ std::string disk_words(std::int64_t free_bytes) {
                           : fmt::format("  |  disk {:.0f} GB", gigabytes);
 }
 
+/// As measured; the first second tells nothing yet.
+std::string rate_words(const LiveView& live) {
+  return live.rate_hz > 0.0 ? fmt::format("{:.1f} Hz", live.rate_hz) : "… Hz";
+}
+
 std::string recorded_words(const LiveView& live, bool by_hand) {
   const char* word = live.status.phase == Phase::kPaused ? "PAUSED" : "REC";
   std::string words =
       fmt::format("{}  {}  {}  |  {} samples", icon::kRecord, word, record_time(live.elapsed_s), count(live.samples));
+  words += "  |  " + rate_words(live);
   if (by_hand) {
-    if (live.rate_hz > 0.0) words += fmt::format("  |  {:.1f} Hz", live.rate_hz);
     return words + fmt::format("  |  {} drops", count(live.status.dropped_input));
   }
   return words + fmt::format("  |  segment {}  |  {:.2f}× real time", demonstration::letter(live.segment),
@@ -144,6 +149,8 @@ float draw_arm_words(Ui& ui, const WorkbenchState& state, const Rect& rect, floa
 /// The second that is running, as a ring that closes, over `bottom`.
 void draw_dial(Ui& ui, double left_s, const Rect& rect, float bottom) {
   const float radius = ui.px(24);
+  // The words below say the number too; arms and blocks are not to be covered by it.
+  if (2.0F * radius > 0.16F * rect.height()) return;
   const ImVec2 centre{std::round(rect.centre_x()), std::round(bottom - radius - ui.px(12))};
   if (centre.y - radius < rect.y0 + ui.px(8)) return;
   constexpr float kTop_rad = -0.5F * std::numbers::pi_v<float>;
@@ -282,9 +289,12 @@ void TakeOverlay::draw(Ui& ui, const WorkbenchState& state, const ViewPort& view
   draw_frame(ui, view.rect);
   const std::string words = recorded_words(live, state.take.has_value()) + disk_words(state.disk_free_bytes);
   // The time is what matters most.
-  const std::string brief = fmt::format("{}  REC  {}", icon::kRecord, record_time(live.elapsed_s));
-  const bool fits = ImGui::CalcTextSize(words.c_str()).x <= view.rect.width() - ui.px(44);
-  bottom = draw_pill(ui, "REC", fits ? words : brief, view.rect, bottom, ui.theme().danger_fill, ui.theme().on_accent) -
+  const std::string time = fmt::format("{}  REC  {}", icon::kRecord, record_time(live.elapsed_s));
+  const std::string rated = time + "  |  " + rate_words(live);
+  const auto fits = [&](const std::string& each) {
+    return ImGui::CalcTextSize(each.c_str()).x <= view.rect.width() - ui.px(44);
+  };
+  bottom = draw_pill(ui, "REC", fits(words) ? words : fits(rated) ? rated : time, view.rect, bottom, ui.theme().danger_fill, ui.theme().on_accent) -
            ui.px(6);
   draw_arm_words(ui, state, view.rect, bottom);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/common.h"
 #include "ui/panels/time_snap.h"
 
 namespace trocar::ui {
@@ -44,6 +45,8 @@ TimelineMouse::Drag TimelineMouse::what_is_at(const Ui& ui, const TimelineGround
   const LaneLayout& layout = ground.layout;
   if (mouse.y >= layout.lanes.y0) return Drag::kSelect;
   if (mouse.y < layout.gates.y0) return Drag::kScrub;
+  // Gates are no more to be moved than anything else of the document.
+  if (!being_recorded(ground.state).empty()) return Drag::kScrub;
   const float reach = ui.px(kReach);
   const float in = layout.x_of(ground.shown.begin_s);
   const float out = layout.x_of(ground.shown.end_s);
@@ -122,7 +125,7 @@ void TimelineMouse::move(const Ui& ui, const TimelineGround& ground, TimeRange& 
 void TimelineMouse::release(const TimelineGround& ground, TimeRange& range, Requests& requests) {
   const double in_s = gate_in_s(ground.shown);
   const double out_s = gate_out_s(ground.shown);
-  if (trims() && (in_s != ground.shown.begin_s || out_s != ground.shown.end_s)) {
+  if (trims() && being_recorded(ground.state).empty() && (in_s != ground.shown.begin_s || out_s != ground.shown.end_s)) {
     const demonstration::Trim trim{in_s, out_s};
     requests.emplace_back(
         Command{workbench::CommitEdit{workbench::EditDemonstration{ground.state.demonstration, trim}}});

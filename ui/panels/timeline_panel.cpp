@@ -81,11 +81,13 @@ void TimelinePanel::draw_speed(Ui& ui, const WorkbenchState& state, const demons
   }
   static const std::array<std::string, 4> kNames{"0.25×", "0.5×", "1×", "2×"};
   constexpr std::array<double, 4> kSpeeds{0.25, 0.5, 1.0, 2.0};
+  // At rest: the speed that playing begins with.
+  const double shown_speed = state.play_speed == 0.0 ? 1.0 : state.play_speed;
   int chosen = -1;
   for (int i = 0; i < 4; ++i) {
-    if (kSpeeds[static_cast<std::size_t>(i)] == state.play_speed) chosen = i;
+    if (kSpeeds[static_cast<std::size_t>(i)] == shown_speed) chosen = i;
   }
-  if (segmented(ui, "Speed", chosen, kNames, {.help = "Play at this speed", .width = width - ui.px(84)})) {
+  if (segmented(ui, "Speed", chosen, kNames, {.help = "Play at this speed", .width = width - ui.px(84), .again = true})) {
     requests.emplace_back(Command{workbench::Play{kSpeeds[static_cast<std::size_t>(chosen)]}});
   }
   const bool roomy =

@@ -177,7 +177,7 @@ bool segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std:
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
     const std::string& name = names[static_cast<std::size_t>(i)];
-    if (segment_button(ui, name, i == chosen, each, options) && i != chosen) {
+    if (segment_button(ui, name, i == chosen, each, options) && (options.again || i != chosen)) {
       chosen = i;
       changed = true;
     }

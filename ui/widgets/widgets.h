@@ -27,6 +27,7 @@ struct WidgetOptions {
   float width = 0.0F;  ///< Pixels; 0: as needed; < 0: what is left.
   ButtonStyle style = ButtonStyle::kNormal;
   float height = 0.0F;  ///< Of a row, pixels; 0: one line.
+  bool again = false;   ///< Of a choice: what is chosen can be chosen once more.
 };
 
 /// Notes the last ImGui item (or `rect`) in the item list and shows its tooltip.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/demonstration/edit_sentence.h"
+#include "engine/demonstration/edits.h"
 #include "engine/workbench/edit_preview.h"
 #include "tests/support/ui_desk.h"
 #include "tests/support/ui_state.h"
@@ -25,6 +27,37 @@ struct EditDesk : Desk {
     return static_cast<int>(std::count_if(commands.begin(), commands.end(), [](const workbench::Command& command) {
       return std::holds_alternative<workbench::CommitEdit>(command);
     }));
+  }
+};
+
+const demonstration::Smooth kSmooth{1.0, 2.0};
+const demonstration::Offset kOffset{demonstration::Arms::kLeft, {0.0, 0.0, 0.002}};
+
+workbench::WorkbenchState with_two_edits() {
+  auto state = testing::made_state();
+  auto edited = demonstration::apply(*state.project->demonstrations.at({1}), kSmooth, 11).value();
+  edited = demonstration::apply(edited, kOffset, 12).value();
+  auto project = std::make_shared<workbench::Project>(*state.project);
+  project->demonstrations[{1}] = std::make_shared<const demonstration::Demonstration>(edited);
+  state.project = project;
+  return state;
+}
+
+struct StackDesk : Desk {
+  using Desk::Desk;
+  void open_stack() {
+    CHECK(text_of(driver().click("Menu/Workspaces/Author")) == "");
+    CHECK(text_of(driver().click("Tabs/Edits")) == "");
+    CHECK(driver().frames(2));
+  }
+  /// As a hand does, whether it is enabled or not.
+  std::string press(const Item& item) {
+    window.input().push(MouseMoved{item.rect.centre_x(), item.rect.centre_y()});
+    for (const bool down : {true, false}) {
+      if (const Status drawn = driver().frames(1); !drawn) return drawn.error().text();
+      window.input().push(MouseButton{0, down});
+    }
+    return text_of(driver().frames(2));
   }
 };
 
@@ -214,6 +247,52 @@ TEST_CASE("an edit of the stack is switched off, moved and removed") {
   CHECK(moved.place == 0);
   CHECK(text_of(desk.driver().click("Edits/Stack/2/Remove")) == "");
   CHECK(std::get<workbench::RemoveStackEntry>(desk.last<workbench::CommitEdit>()->edit).entry == 12);
+}
+
+TEST_CASE("rows of the stack tell edits of one kind apart by their parameters") {
+  using demonstration::particulars;
+  CHECK(particulars(demonstration::Smooth{1.0, 2.0}).starts_with("1.00–2.00 s of both tools over "));
+  CHECK(particulars(demonstration::Trim{0.0, 8.0}) == "to 0.00–8.00 s");
+  CHECK(particulars(demonstration::MoveTool{demonstration::Arms::kRight, 2.0, {0.0, 0.0, 0.0025}}) ==
+        "the right tool by 0.00, 0.00, 2.50 mm at 2.00 s");
+  CHECK(particulars(demonstration::Mirror{}).empty());
+  CHECK(particulars(demonstration::Rename{"A of B"}) == "to A of B");
+  StackDesk desk(with_two_edits());
+  desk.open_stack();
+  CHECK(text_of(desk.driver().expect_value("Edits/Stack/1/Particulars", particulars(kSmooth))) == "");
+  CHECK(text_of(desk.driver().expect_value("Edits/Stack/2/Particulars", particulars(kOffset))) == "");
+}
+
+TEST_CASE("while a take goes on or waits for its verdict nothing of the stack, the history or the gates can be changed") {
+  for (const bool reviewing : {false, true}) {
+    CAPTURE(reviewing);
+    StackDesk desk(with_two_edits());
+    desk.open_stack();
+    CHECK(desk.driver().item("Edits/Stack/1/Remove").value().enabled);
+    desk.state.live.emplace().samples = 10;
+    desk.state.take.emplace().reviewing = reviewing;
+    CHECK(desk.driver().frames(2));
+    desk.commands.clear();
+    const std::string reason = desk.driver().item("Toolbar/Undo").value().reason;
+    CHECK(reason == "A transfer is being recorded");
+    for (const char* each : {"2/Offset", "2/Change", "2/Earlier", "1/Later", "1/Remove"}) {
+      CAPTURE(each);
+      const Item item = desk.driver().item(std::string("Edits/Stack/") + each).value();
+      CHECK(item.reason == reason);
+      CHECK_FALSE(item.enabled);
+      CHECK(desk.press(item) == "");
+    }
+    CHECK(desk.driver().item("Edits/Add edit…").value().reason == reason);
+    CHECK(text_of(desk.driver().click("Tabs/History")) == "");
+    CHECK(desk.driver().frames(2));
+    const Item row = desk.driver().item("History/1 · Record Expert 1").value();
+    CHECK(row.reason == reason);
+    CHECK(desk.press(row) == "");
+    for (const workbench::Command& command : desk.commands) {
+      CHECK_FALSE(std::holds_alternative<workbench::CommitEdit>(command));
+      CHECK_FALSE(std::holds_alternative<workbench::GoToHistory>(command));
+    }
+  }
 }
 
 }  // namespace trocar::ui

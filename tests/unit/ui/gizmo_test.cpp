@@ -233,4 +233,56 @@ TEST_CASE("X puts the keyboard into the field of that axis, and Escape lets go o
   CHECK(desk.last<workbench::SetGizmo>()->settings.kind == GizmoKind::kNone);
 }
 
+TEST_CASE("the grip of every arrow and ring is within the picture as long as the tool is well within it") {
+  const Rect& rect = kView.rect;
+  for (const GizmoKind kind : {GizmoKind::kMove, GizmoKind::kTurn}) {
+    for (const Vector2f& place :
+         {Vector2f(130.0F, 80.0F), Vector2f(500.0F, 75.0F), Vector2f(870.0F, 90.0F), Vector2f(120.0F, 350.0F),
+          Vector2f(880.0F, 350.0F), Vector2f(130.0F, 620.0F), Vector2f(500.0F, 625.0F), Vector2f(860.0F, 615.0F)}) {
+      CAPTURE(place.x());
+      CAPTURE(place.y());
+      const auto ray = kView.ray(place);
+      const spatial::Pose tool{ray[0] + 0.2 * ray[1], Eigen::Quaterniond::Identity()};
+      const auto shapes = handle_shapes(gizmo(kind), tool, kView, 78.0F);
+      REQUIRE(shapes.size() >= 2);
+      for (const HandleShape& shape : shapes) {
+        CAPTURE(name_of(shape.handle));
+        if (shape.handle.kind == HandleKind::kPlane) continue;
+        CHECK(shape.grip.x() - 12.0F >= rect.x0);
+        CHECK(shape.grip.x() + 12.0F <= rect.x1);
+        CHECK(shape.grip.y() - 12.0F >= rect.y0);
+        CHECK(shape.grip.y() + 12.0F <= rect.y1);
+        CHECK(handle_at(shapes, shape.grip, 9.0F).has_value());
+      }
+    }
+  }
+}
+
+TEST_CASE("an arrow that points the other way still moves the tool as the pointer goes") {
+  const auto ray = kView.ray({500.0F, 75.0F});
+  const spatial::Pose tool{ray[0] + 0.2 * ray[1], Eigen::Quaterniond::Identity()};
+  const auto shapes = handle_shapes(gizmo(GizmoKind::kMove), tool, kView, 78.0F);
+  const auto up = std::find_if(shapes.begin(), shapes.end(),
+                               [](const HandleShape& shape) { return shape.handle == Handle{HandleKind::kAxis, 2}; });
+  REQUIRE(up != shapes.end());
+  CHECK(up->grip.y() > kView.pixel(tool.p)->y());
+  const Vector3d by = dragged_by(up->handle, tool, kView, up->grip, up->grip + Vector2f(0.0F, -10.0F));
+  CHECK(by.z() > 0.0);
+}
+
+TEST_CASE("K keeps an instant to move the tool at, in hand or not, and stops what plays") {
+  ToolDesk desk(GizmoKind::kNone);
+  CHECK(desk.driver().key("K"));
+  const auto* move = desk.committed<MoveTool>();
+  REQUIRE(move != nullptr);
+  CHECK(move->at_s == 2.0);
+  CHECK(move->by_m.isZero());
+  desk.commands.clear();
+  desk.state.play_speed = 1.0;
+  CHECK(desk.driver().key("K"));
+  CHECK(desk.last<workbench::CommitEdit>() == nullptr);
+  REQUIRE(desk.last<workbench::Play>() != nullptr);
+  CHECK(desk.last<workbench::Play>()->speed == 0.0);
+}
+
 }  // namespace trocar::ui

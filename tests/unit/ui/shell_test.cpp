@@ -321,4 +321,33 @@ TEST_CASE("every command is reachable by the keyboard through the palette") {
   }
 }
 
+TEST_CASE("the number of problems is always there beside a demonstration, none with another sign") {
+  workbench::WorkbenchState state = testing::made_state();
+  auto view = std::make_shared<workbench::ReviewView>(*state.review);
+  view->review.problems.clear();
+  state.review = view;
+  Desk desk(state);
+  CHECK(text_of(desk.driver().expect_present("Menu/0 problems", true)) == "");
+  desk.state.review = testing::made_state().review;
+  CHECK(desk.driver().frames(2));
+  CHECK(text_of(desk.driver().expect_present("Menu/0 problems", false)) == "");
+  desk.state.demonstration = {};
+  desk.state.review.reset();
+  CHECK(desk.driver().frames(2));
+  CHECK(text_of(desk.driver().expect_present("Menu/0 problems", false)) == "");
+}
+
+TEST_CASE("at rest the speed that playing begins with is lit") {
+  Desk desk(testing::made_state());
+  CHECK(text_of(desk.driver().click("Menu/Workspaces/Author")) == "");
+  CHECK(text_of(desk.driver().expect_value("Timeline/Speed/1×", "on")) == "");
+  CHECK(text_of(desk.driver().click("Timeline/Speed/1×")) == "");
+  REQUIRE(desk.last<workbench::Play>() != nullptr);
+  CHECK(desk.last<workbench::Play>()->speed == 1.0);
+  desk.state.play_speed = 2.0;
+  CHECK(desk.driver().frames(2));
+  CHECK(text_of(desk.driver().expect_value("Timeline/Speed/1×", "off")) == "");
+  CHECK(text_of(desk.driver().expect_value("Timeline/Speed/2×", "on")) == "");
+}
+
 }  // namespace trocar::ui
