@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/commands/demo_commands.h"
+#include "engine/demonstration/diff.h"
 #include "engine/demonstration/edit_sentence.h"
 #include "engine/review/fixes.h"
 #include "engine/review/resimulation.h"
@@ -101,6 +102,13 @@ Status make_fixes(workbench::ProjectFile& file, demonstration::DemonstrationId i
     answer.text += fmt::format("Edit {}: {}\n", demonstration::entry_words(entry), description);
   }
   if (fix == "all") answer.text += fmt::format("Step {} of the history: {}\n", node, step);
+  // What mending costs: a fix may reach far to both sides of its problem.
+  const demonstration::Difference cost = demonstration::difference(*before, *file.project()->demonstrations.at(id));
+  answer.json["cost"] = {{"moved_samples", cost.moved},
+                         {"max_deviation_m", cost.max_deviation_m},
+                         {"longer_by_s", cost.duration_change_s}};
+  answer.text += fmt::format("Moved {} of {} samples, by {:.2f} mm at most; {:+.2f} s\n", cost.moved,
+                             before->samples.size(), 1e3 * cost.max_deviation_m, cost.duration_change_s);
   return {};
 }
 

@@ -31,6 +31,9 @@ class Check(CommandLineTest):
         hash_before = self.answer("demo", "show", project, "1")["hash"]
         after = self.answer("demo", "check", project, "1", "--fix", "collision-1", code=CHECK_FAILED if len(found) > 1 else DONE)
         self.assertEqual(len(after["fixed"]), 1)
+        self.assertGreater(after["cost"]["moved_samples"], 0)
+        self.assertGreater(after["cost"]["max_deviation_m"], 0.0)
+        self.assertLess(after["cost"]["max_deviation_m"], 0.020)
         self.assertLess(len(self.collisions(after)), len(found))
         self.answer("undo", project)
         self.assertEqual(self.answer("demo", "show", project, "1")["hash"], hash_before)

@@ -114,13 +114,14 @@ class Story(CommandLineTest):
     def test_pictures_light(self):
         self.compare_stations("light", 2.0, "2200x1400")
 
-    def test_kill(self):
-        """`kill -9` in the middle of a drag costs the drag, and nothing that was committed."""
-        project = self.recorded_project()
-        held = self.folder / "held.json"
+    def killed_in_a_drag(self, name, *lines):
+        """A project after two edits, killed while the last of `lines` holds the mouse; and what the window showed then."""
+        # By a name of its own: what a killed program leaves beside a project belongs to that project alone.
+        project = self.recorded_project().rename(self.folder / f"{name}.trocar")
+        held = self.folder / f"{name}.json"
         script = self.folder / "drag.ui"
-        script.write_text('key Ctrl+2\nwait idle\nkey Ctrl+Shift+T\nwait idle\nkey 1\nwait idle\n'
-                          f'hold "Timeline/In gate" 60 0\ndump "{held}"\nframes 1000000\n')
+        script.write_text("\n".join(["key Ctrl+2", "wait idle", "key Ctrl+Shift+T", "wait idle", "key 1", "wait idle",
+                                     *lines, f'dump "{held}"', "frames 1000000", ""]))
         window = subprocess.Popen([TROCAR, "ui", "run", "--project", project, "--script", script],
                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(window.kill)
@@ -129,11 +130,25 @@ class Story(CommandLineTest):
             self.assertLess(time.monotonic(), deadline, "the drag did not begin")
             time.sleep(0.05)
         self.assertIsNone(window.poll(), "the window ended by itself")
-        gate = next(item for item in json.loads(held.read_text()) if item["path"].endswith("Timeline/In gate"))
+        items = json.loads(held.read_text())
         window.send_signal(signal.SIGKILL)
         window.wait()
         stack = self.answer("demo", "stack", project, "Expert")["stack"]
         self.assertEqual([entry["edit"] for entry in stack], ["trim-idle", "label"])
+        return project, items
+
+    def test_kill(self):
+        """`kill -9` in the middle of a drag costs the drag, and nothing that was committed."""
+        # Of a waypoint, by an arrow of the tool.
+        project, items = self.killed_in_a_drag("waypoint", "key Ctrl+Right", "key Ctrl+Right", "key G", "frames 3",
+                                               'hold "View/Gizmo/Y" 60 0')
+        arrow = next(item for item in items if item["path"].endswith("View/Gizmo/Y"))
+        self.assertNotIn("+0.00  +0.00  +0.00 mm", arrow["value"])
+        self.answer("undo", project)
+        self.answer("redo", project)
+        # Of a gate.
+        project, items = self.killed_in_a_drag("gate", 'hold "Timeline/In gate" 60 0')
+        gate = next(item for item in items if item["path"].endswith("Timeline/In gate"))
         shown = self.answer("demo", "show", project, "Expert")
         self.assertNotAlmostEqual(float(gate["value"]), shown["begin_s"], delta=0.01)
         # It is opened again in the window as it was, and worked on as if nothing had been.

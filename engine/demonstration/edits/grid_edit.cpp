@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -23,6 +24,42 @@ struct Visit {
   bool passed = false;  ///< No sample lies in it: it is on the way from one to the next.
 };
 
+/// From where to where the tool is within the lattice, the longest such span of the samples.
+std::string longest_inside(const Demonstration& document, const std::vector<Sample>& samples, std::size_t arm,
+                           const spatial::Grid& grid) {
+  std::pair<double, double> longest{0.0, 0.0};
+  double begin_s = 0.0;
+  bool inside = false;
+  for (const Sample& sample : samples) {
+    const double now_s = document.time_of(sample);
+    const bool was = inside;
+    inside = grid.cell_at(measured_tip(sample, arm)).has_value();
+    if (inside && !was) begin_s = now_s;
+    if (inside && now_s - begin_s > longest.second - longest.first) longest = {begin_s, now_s};
+  }
+  if (!(longest.second > longest.first)) return "it is nowhere within it in that span";
+  // Inwards, so that the times can be typed.
+  return fmt::format("it is within it from {:.2f} to {:.2f} s", std::ceil(100.0 * longest.first) / 100.0,
+                     std::floor(100.0 * longest.second) / 100.0);
+}
+
+/// A tool that went through a corner of a cell in one sample would leap: visits are moved apart, as little as need be
+/// and with their ends held, to the time that a cell takes at `kSnappedSpeed_m_s`; to even steps where there is not so
+/// much time.
+void move_apart(std::vector<Visit>& visits, const spatial::Grid& grid) {
+  constexpr double kSnappedSpeed_m_s = 0.15;
+  if (visits.size() < 3) return;
+  const double begin = visits.front().tick;
+  const double end = visits.back().tick;
+  const double even = (end - begin) / static_cast<double>(visits.size() - 1);
+  const double least = std::min(grid.cell_m / kSnappedSpeed_m_s * static_cast<double>(Tick::kPerSecond), even);
+  for (std::size_t i = 1; i < visits.size(); ++i) visits[i].tick = std::max(visits[i].tick, visits[i - 1].tick + least);
+  visits.back().tick = end;
+  for (std::size_t i = visits.size() - 1; i-- > 1;) {
+    visits[i].tick = std::min(visits[i].tick, visits[i + 1].tick - least);
+  }
+}
+
 /// The path's cells, with what diagonal steps leave out spread evenly over the time that the step took.
 Result<std::vector<Visit>> visits_of(const Demonstration& document, const std::vector<Sample>& samples, std::size_t arm,
                                      const spatial::Grid& grid) {
@@ -33,7 +70,8 @@ Result<std::vector<Visit>> visits_of(const Demonstration& document, const std::v
     const auto now = grid.cell_at(measured_tip(sample, arm));
     if (!now) {
       return fail(ErrorCode::kInvalidArgument,
-                  fmt::format("the tool leaves the agent's lattice at {:.2f} s", document.time_of(sample)));
+                  fmt::format("the {} tool is outside the agent's lattice at {:.2f} s; {}", arm == 0 ? "left" : "right",
+                              document.time_of(sample), longest_inside(document, samples, arm, grid)));
     }
     const auto tick = static_cast<double>(sample.tick);
     if (visits.empty()) {
@@ -48,6 +86,7 @@ Result<std::vector<Visit>> visits_of(const Demonstration& document, const std::v
     if (visits.size() == 1 || *now != cell) entered = tick;
     cell = *now;
   }
+  move_apart(visits, grid);
   return visits;
 }
 

@@ -364,7 +364,36 @@ TEST_CASE("a path that was snapped makes single legal actions and passes cell ce
   Recording outside = testing::moving_recording(100);
   for (Sample& sample : outside.samples) sample.arms[0].measured.p[2] = 0.2F;
   const auto far = make_demonstration({1}, "Far", std::make_shared<const Recording>(std::move(outside))).value();
-  CHECK(apply(far, SnapToGrid{0.0, 0.4}).error().text() == "the tool leaves the agent's lattice at 0.00 s");
+  CHECK(apply(far, SnapToGrid{0.0, 0.4}).error().text() ==
+        "the left tool is outside the agent's lattice at 0.00 s; it is nowhere within it in that span");
+  Recording leaving = testing::moving_recording(100);
+  for (std::size_t i = 60; i < 100; ++i) leaving.samples[i].arms[0].measured.p[2] = 0.2F;
+  const auto half = make_demonstration({1}, "Half", std::make_shared<const Recording>(std::move(leaving))).value();
+  CHECK(apply(half, SnapToGrid{0.0, 0.4}).error().text() ==
+        "the left tool is outside the agent's lattice at 0.30 s; it is within it from 0.00 to 0.29 s");
+  CHECK(apply(half, SnapToGrid{0.0, 0.29}).has_value());
+}
+
+TEST_CASE("a tool that goes through a corner of a cell from one sample to the next does not leap when it is snapped") {
+  Recording recording = testing::moving_recording(200);
+  const spatial::Grid grid;
+  const Eigen::Vector3d corner = grid.centre(grid.index({8, 8, 8})) + Eigen::Vector3d::Constant(0.5 * grid.cell_m);
+  for (std::size_t i = 0; i < recording.samples.size(); ++i) {
+    // 17 mm/s through the corner: the three faces are passed within two samples.
+    const double way_m = 5e-5 * (static_cast<double>(i) - 100.3);
+    const Eigen::Vector3d p_WT = corner + way_m * Eigen::Vector3d(1.0, 0.97, 0.94);
+    recording.samples[i].arms[0].measured = CompactPose::from(spatial::Pose::translation(p_WT));
+  }
+  const auto document =
+      make_demonstration({1}, "Corner", std::make_shared<const Recording>(std::move(recording))).value();
+  const Demonstration snapped = applied(document, SnapToGrid{0.0, 0.995});
+  double fastest_m_s = 0.0;
+  for (std::size_t i = 1; i < snapped.samples.size(); ++i) {
+    const double step_m = (measured_tip(snapped.samples[i], 0) - measured_tip(snapped.samples[i - 1], 0)).norm();
+    fastest_m_s = std::max(fastest_m_s, step_m / 0.005);
+  }
+  CHECK(fastest_m_s > 0.05);
+  CHECK(fastest_m_s < 0.151);
 }
 
 TEST_CASE("a path that was snapped and is snapped again stays as it is, bit for bit; a journal from before repeats") {
