@@ -159,8 +159,11 @@ class Demonstrations(CommandLineTest):
     def test_times_beyond_the_ends_are_the_ends(self):
         project = self.recorded_project()
         end_s = self.answer("demo", "show", project, "1")["end_s"]
-        edit = self.answer("demo", "edit", project, "1", "trim", "--from", "-5", "--to", "1e9")
-        self.assertIn(f"to 0.00–{end_s:.2f} s", edit["description"])
+        edit = self.answer("demo", "edit", project, "1", "trim", "--from", "1", "--to", "1e9")
+        self.assertIn(f"to 1.00–{end_s:.2f} s", edit["description"])
+        edit = self.answer("demo", "edit", project, "1", "trim", "--from", "-5", "--to", "20")
+        self.assertIn("to 0.00–20.00 s", edit["description"])
+        self.refused("demo", "edit", project, "1", "trim", "--from", "-7", "--to", "20", code=USAGE, saying="already")
         edit = self.answer("demo", "edit", project, "1", "label", "B", "--from", "-5", "--to", "0.5")
         self.assertIn("Label 0.00–0.50 s", edit["description"])
         self.refused("demo", "edit", project, "1", "trim", "--from", "nan", code=USAGE)
