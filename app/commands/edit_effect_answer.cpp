@@ -59,8 +59,8 @@ void add_idle_cuts(const demonstration::TrimIdle& edit, const demonstration::Dem
       left_out_s += cut.to_s - cut.from_s;
     }
     list += fmt::format("\n{:>4}  {:.2f}–{:.2f} s is idle ({}): {}", number, cut.begin_s, cut.end_s,
-                               cut.at_end ? "an end" : "inside",
-                               cut.stays ? "stays" : fmt::format("{:.2f}–{:.2f} s goes", cut.from_s, cut.to_s));
+                        cut.at_end ? "an end" : "inside",
+                        cut.stays ? "stays" : fmt::format("{:.2f}–{:.2f} s goes", cut.from_s, cut.to_s));
   }
   answer.text += fmt::format("{}{} of {} idle {} out, {:.2f} s", answer.text.empty() ? "" : "; ", left_out, number,
                              number == 1 ? "span" : "spans", left_out_s);

@@ -72,7 +72,8 @@ void Workbench::Impl::on(const FixProblems& command) {
     return JobResult{message, [this, shown, edits]() -> Status {
                        // They are for the version that they were found for.
                        if (recording || demonstration(shown->id) != shown) {
-                         return fail(ErrorCode::kCheckFailed, recording ? "A transfer is being recorded" : "the demonstration was changed meanwhile");
+                         return fail(ErrorCode::kCheckFailed, recording ? "A transfer is being recorded"
+                                                                        : "the demonstration was changed meanwhile");
                        }
                        if (edits->empty()) return {};
                        const Result<std::int64_t> made = file->commit(mending(*shown, *edits));

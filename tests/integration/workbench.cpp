@@ -341,7 +341,8 @@ TEST_CASE("nothing of the document is changed while a take goes on or waits for 
   const std::int64_t head = bench.state().head;
   const std::size_t jobs = bench.state().jobs.size();
   const Edit offset = EditDemonstration{id, demonstration::Offset{demonstration::Arms::kLeft, {0.0, 0.0, 0.002}}};
-  for (const Command& asked : std::vector<Command>{CommitEdit{offset}, Undo{}, Redo{}, GoToHistory{0}, FixProblems{id}}) {
+  for (const Command& asked :
+       std::vector<Command>{CommitEdit{offset}, Undo{}, Redo{}, GoToHistory{0}, FixProblems{id}}) {
     bench.workbench.post(asked);
     bench.workbench.poll();
     CHECK(bench.state().head == head);

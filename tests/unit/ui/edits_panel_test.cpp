@@ -263,7 +263,8 @@ TEST_CASE("rows of the stack tell edits of one kind apart by their parameters") 
   CHECK(text_of(desk.driver().expect_value("Edits/Stack/2/Particulars", particulars(kOffset))) == "");
 }
 
-TEST_CASE("while a take goes on or waits for its verdict nothing of the stack, the history or the gates can be changed") {
+TEST_CASE(
+    "while a take goes on or waits for its verdict nothing of the stack, the history or the gates can be changed") {
   for (const bool reviewing : {false, true}) {
     CAPTURE(reviewing);
     StackDesk desk(with_two_edits());

@@ -262,8 +262,9 @@ TEST_CASE("an arrow that points the other way still moves the tool as the pointe
   const auto ray = kView.ray({500.0F, 75.0F});
   const spatial::Pose tool{ray[0] + 0.2 * ray[1], Eigen::Quaterniond::Identity()};
   const auto shapes = handle_shapes(gizmo(GizmoKind::kMove), tool, kView, 78.0F);
-  const auto up = std::find_if(shapes.begin(), shapes.end(),
-                               [](const HandleShape& shape) { return shape.handle == Handle{HandleKind::kAxis, 2}; });
+  const auto up = std::find_if(shapes.begin(), shapes.end(), [](const HandleShape& shape) {
+    return shape.handle == Handle{HandleKind::kAxis, 2};
+  });
   REQUIRE(up != shapes.end());
   CHECK(up->grip.y() > kView.pixel(tool.p)->y());
   const Vector3d by = dragged_by(up->handle, tool, kView, up->grip, up->grip + Vector2f(0.0F, -10.0F));
