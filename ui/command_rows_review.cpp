@@ -47,7 +47,7 @@ constexpr std::array<RowData, 3> kReviewRows{{
     {"demo.fix_all",
      "Edit",
      "Fix all problems",
-     "Make every quick fix that helps, each a step of the history",
+     "Make every quick fix that helps, together one step of the history",
      icon::kPencil,
      {"Shift+F7"},
      false,

@@ -11,6 +11,7 @@
 namespace trocar::ui {
 namespace {
 
+using demonstration::typed_number;
 using namespace workbench;
 
 std::string ids(const std::vector<DemonstrationId>& list) {
@@ -33,9 +34,9 @@ struct EditText {
     const CopyDemonstration& first = edit.copies.front();
     const auto* noise = noise_of(first);
     if (noise == nullptr || !first.name.empty()) return "";
-    return fmt::format("trocar demo copy {} {} --copies {} --perturb-mm {:g} --period {:g} --seed {}", project,
-                       first.demonstration.value, edit.copies.size(), 1e3 * noise->sigma_m, noise->period_s,
-                       noise->seed);
+    return fmt::format("trocar demo copy {} {} --copies {} --perturb-mm {} --period {} --seed {}", project,
+                       first.demonstration.value, edit.copies.size(), typed_number(1e3 * noise->sigma_m),
+                       typed_number(noise->period_s), noise->seed);
   }
   std::string operator()(const ImportDemonstrations&) const { return ""; }
   std::string operator()(const AddModel&) const { return ""; }
@@ -131,6 +132,19 @@ std::string field_text(const ExportField& command, const std::string& project) {
                      learning::to_string(command.layer), what, shell_word(command.path.string()));
 }
 
+/// JSON without its line breaks and what they are followed by: neither occurs within its strings.
+std::string on_one_line(const std::string& json) {
+  std::string line;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (json[i] != '\n') {
+      line += json[i];
+      continue;
+    }
+    while (i + 1 < json.size() && json[i + 1] == ' ') ++i;
+  }
+  return line;
+}
+
 std::string import_text(const WorkbenchState& state, const std::string& project) {
   if (!state.import) return "";
   const ImportSettings& settings = state.import->settings;
@@ -138,16 +152,17 @@ std::string import_text(const WorkbenchState& state, const std::string& project)
   if (settings.format) text += fmt::format(" --format {}", exchange::to_string(*settings.format));
   if (!settings.transcription.empty()) text += " --transcription " + shell_word(settings.transcription.string());
   for (const std::string& only : settings.only) text += " --only " + shell_word(only);
-  if (settings.rate_hz > 0.0) text += fmt::format(" --rate-hz {:g}", settings.rate_hz);
+  if (settings.rate_hz > 0.0) text += fmt::format(" --rate-hz {}", settings.rate_hz);
   const auto& p = settings.p_WF_m;
   if (p != std::array<double, 3>{}) {
-    text += fmt::format(" --offset-mm {:g},{:g},{:g}", 1e3 * p[0], 1e3 * p[1], 1e3 * p[2]);
+    text += fmt::format(" --offset-mm {},{},{}", typed_number(1e3 * p[0]), typed_number(1e3 * p[1]),
+                        typed_number(1e3 * p[2]));
   }
   if (!settings.name.empty()) text += " --name " + shell_word(settings.name);
   if (settings.block != demonstration::kUnknownPlace) text += fmt::format(" --block {}", settings.block);
   if (settings.goal != demonstration::kUnknownPlace) text += fmt::format(" --goal {}", settings.goal);
-  // The map itself has no place on a line; it is kept as a file or under a name.
-  return state.import->layout.columns ? text + " --map MAP.json" : text;
+  if (!state.import->layout.columns) return text;
+  return text + " --map " + (settings.map ? shell_word(on_one_line(exchange::to_json(*settings.map))) : "proposed");
 }
 
 std::string export_text(const ExportDemonstrations& command, const std::string& project) {

@@ -85,7 +85,9 @@ Requests draw_status_line(Ui& ui, const WorkbenchState& state, const StatusLine&
   const float top = ImGui::GetCursorPosY();
   const float y = top + 0.5F * (status_line_height(ui) - ImGui::GetTextLineHeight());
   const float right = ImGui::GetWindowWidth() - ui.px(10);
-  const std::string project = state.project == nullptr ? std::string("No project") : shown_path(state.path);
+  const std::string project = state.load == workbench::LoadState::kFailed ? "Could not open " + shown_path(state.path)
+                              : state.project == nullptr                  ? std::string("No project")
+                                                                          : shown_path(state.path);
   const std::string tool(tool_hint(state));
   const std::string& still = line.hint.empty() ? tool : line.hint;
   const bool tells = !line.done.empty() && (still.empty() || line.just_done);

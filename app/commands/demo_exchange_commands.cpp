@@ -54,8 +54,8 @@ void bind_import(CLI::App& verb, ImportArguments& arguments) {
   verb.add_option("--format", arguments.format, "csv, npy, hdf5 or jigsaws (else guessed from the file's name)");
   verb.add_option("--transcription", arguments.transcription, "Gestures, of JIGSAWS; they become notes");
   verb.add_option("--map", arguments.map,
-                  "Which column of a foreign csv or npy table is what: a JSON file, a name that one is kept under, or "
-                  "`proposed` for the one that --dry-run shows");
+                  "Which column of a foreign csv or npy table is what: a JSON file, a name that one is kept under, the "
+                  "JSON itself, or `proposed` for the one that --dry-run shows");
   verb.add_option("--save-map", arguments.save_map,
                   "Keep the map that is used, or proposed: F.json writes a file, any other name keeps it under that");
   verb.add_option("--offset-mm", arguments.offset_mm, "Where the file's origin is on the board: X,Y,Z")
@@ -77,6 +77,7 @@ Answer imported_answer(const demonstration::Demonstration& document, const workb
   answer.json = demonstration_json(document);
   answer.json["lossy"] = part.lossy;
   answer.json["found"] = part.found;
+  answer.json["changed"] = part.changed;
   answer.json["notes"] = part.notes.size();
   answer.json["warnings"] = part.warnings;
   answer.json["errors"] = part.errors;
@@ -86,11 +87,13 @@ Answer imported_answer(const demonstration::Demonstration& document, const workb
     answer.summary += fmt::format("; {} and {}", counted(part.errors, "error"), counted(part.warnings, "warning"));
   }
   for (const std::string& sentence : part.found) answer.text += fmt::format("\nfound: {}", sentence);
+  for (const std::string& sentence : part.changed) answer.text += fmt::format("\nchanged: {}", sentence);
   return answer;
 }
 
-/// A map in a file of its own, or one that was kept under a name.
+/// A map in a file of its own, one that was kept under a name, or the map itself.
 Result<exchange::ColumnMap> map_from(const std::string& file_or_name) {
+  if (file_or_name.starts_with('{')) return exchange::column_map_from_json(file_or_name);
   std::error_code error;
   const std::filesystem::path folder = exchange::map_preset_folder();
   const std::vector<std::string> presets = exchange::map_presets(folder);
@@ -135,7 +138,7 @@ Status keep_map(const std::string& name, const exchange::ColumnMap& map, const I
 /// In place of what a reader says of columns that it does not know.
 Error with_hint(const Error& error, const workbench::ImportSettings& settings, exchange::Format format) {
   const auto guess = exchange::guess_columns(settings.path, format);
-  if (settings.map || !guess || !*guess) return error;
+  if (settings.map || settings.propose || !guess || !*guess) return error;
   return Error(ErrorCode::kCorrupt,
                "the columns are not those of Trocar; --dry-run proposes a map of them, --map proposed takes it, and "
                "--map F.json another")

@@ -40,12 +40,6 @@ constexpr std::array<Unit, 8> kUnits{{{"_m_s3", "-mm-s3", 1e3, "mm/s³"},
                                       {"_m", "-mm", 1e3, "mm"},
                                       {"_s", "", 1.0, "s"}}};
 
-/// The shortest text that reads back as `value`, without the digits that a change of unit invents.
-std::string number(double value) {
-  const double rounded = std::round(value * 1e9) / 1e9;
-  return fmt::format("{}", std::isfinite(rounded) && std::abs(value) < 1e6 ? rounded : value);
-}
-
 class WordWriter {
  public:
   template <typename Value>
@@ -63,13 +57,14 @@ class WordWriter {
   std::vector<std::string> words;
 
  private:
-  static std::string written(double value, double factor) { return number(value * factor); }
+  static std::string written(double value, double factor) { return typed_number(value * factor); }
   static std::string written(const std::string& value, double) { return value; }
   static std::string written(const Eigen::Vector2d& value, double factor) {
-    return fmt::format("{}:{}", number(value.x() * factor), number(value.y() * factor));
+    return fmt::format("{}:{}", typed_number(value.x() * factor), typed_number(value.y() * factor));
   }
   static std::string written(const Eigen::Vector3d& value, double factor) {
-    return fmt::format("{},{},{}", number(value.x() * factor), number(value.y() * factor), number(value.z() * factor));
+    return fmt::format("{},{},{}", typed_number(value.x() * factor), typed_number(value.y() * factor),
+                       typed_number(value.z() * factor));
   }
   template <typename Value>
   static std::string written(const Value& value, double factor) {
@@ -282,6 +277,11 @@ TypedField typed(std::string_view key) {
   return field;
 }
 
+std::string typed_number(double value) {
+  if (!(std::abs(value) < 1e6)) return fmt::format("{:.15g}", value);
+  return fmt::format("{}", std::round(value * 1e9) / 1e9);
+}
+
 std::vector<std::string> to_words(const Edit& edit) {
   WordWriter writer;
   writer.words.emplace_back(name_of(edit));
@@ -313,6 +313,10 @@ Result<Edit> edit_from_words(const std::vector<std::string>& words, const Edit& 
   std::visit([&](auto& one) { visit_fields(filler, one); }, edit);
   TROCAR_RETURN_IF_ERROR(filler.done(name_of(present)));
   return edit;
+}
+
+Edit as_typed(const Edit& edit) {
+  return edit_from_words(to_words(edit), edit).value_or(edit);
 }
 
 std::vector<EditOption> options_of(const Edit& edit) {

@@ -18,8 +18,10 @@ struct TypedField {
 /// From a key with its SI unit: "max_deviation_m".
 TypedField typed(std::string_view key);
 
-/// The words after `trocar demo edit PROJECT DEMO`; every parameter is there. Read back, they give the same edit but
-/// for the rounding of lengths and angles (1e-9 of their unit).
+/// As it is typed: nine decimals, or fifteen digits of what is large. What is read back is written the same again.
+std::string typed_number(double value);
+
+/// The words after `trocar demo edit PROJECT DEMO`; every parameter is there. Read back, they give `as_typed` of it.
 std::vector<std::string> to_words(const Edit& edit);
 
 /// Options may stand in any order; what is left out keeps its default. Values that are lists are separated by commas.
@@ -28,6 +30,10 @@ Result<Edit> edit_from_words(const std::vector<std::string>& words);
 /// The same where what is left out is as in `present`, positional words too. Errors also: kInvalidArgument if the words
 /// name another kind of edit.
 Result<Edit> edit_from_words(const std::vector<std::string>& words, const Edit& present);
+
+/// The edit with its numbers as its words say them (nine decimals of a millimetre, a degree or a second), so that what
+/// is done with the mouse is to the bit what the command does that says it.
+Edit as_typed(const Edit& edit);
 
 /// One parameter as a form shows it.
 struct EditOption {

@@ -156,7 +156,14 @@ class Guesser {
       }
       Group& group = groups[told->arm];
       group.parts[told->quantity].try_emplace(told->part, i);
-      if (told->quantity == Quantity::kPosition) group.length_unit = told->unit;
+      if (told->quantity == Quantity::kPosition) {
+        if (!group.length_unit.empty() && group.length_unit != told->unit) {
+          doubt(fmt::format("{} is named in {}, another axis of that tool in {}; all are taken as {}", name(i),
+                            told->unit.empty() ? "no unit" : told->unit, group.length_unit, group.length_unit));
+        } else {
+          group.length_unit = told->unit;
+        }
+      }
       if (told->quantity == Quantity::kEuler || told->quantity == Quantity::kJoint) group.angle_unit = told->unit;
       if (told->quantity == Quantity::kJaw) jaw_units_[i] = told->unit;
     }
@@ -279,19 +286,36 @@ class Guesser {
   std::map<std::size_t, std::string> jaw_units_;
 };
 
-/// The delimiter that gives most cells in the first lines, the same number in each.
+/// How well a delimiter suits the first lines; larger is better.
+struct Suits {
+  bool header = false;  ///< The first line has as many cells as the others: decimal commas are no delimiter.
+  bool even = false;    ///< The others have as many as each other.
+  std::size_t cells = 0;
+  auto operator<=>(const Suits&) const = default;
+};
+
+Suits suits(const std::vector<std::string_view>& lines, char delimiter) {
+  std::size_t fewest = std::string_view::npos;
+  std::size_t most = 0;
+  for (std::size_t i = lines.size() > 1 ? 1 : 0; i < lines.size(); ++i) {
+    const std::size_t cells = cells_of(lines[i], delimiter).size();
+    fewest = std::min(fewest, cells);
+    most = std::max(most, cells);
+  }
+  if (lines.empty() || fewest < 2) return {};
+  return {cells_of(lines.front(), delimiter).size() == fewest, fewest == most, fewest};
+}
+
+/// The delimiter that cuts the first lines, the header among them, into the same number of cells; of several, the most.
 std::string likely_delimiter(const std::vector<std::string_view>& lines) {
   std::string best = ",";
-  std::size_t most = 1;
+  Suits of_best;
   for (const std::string delimiter : {"tab", ";", ",", "|", "space"}) {
     const char c = delimiter == "tab" ? '\t' : delimiter == "space" ? ' ' : delimiter[0];
-    std::size_t fewest = std::string_view::npos;
-    for (std::size_t i = lines.size() > 1 ? 1 : 0; i < lines.size(); ++i) {
-      fewest = std::min(fewest, cells_of(lines[i], c).size());
-    }
-    if (fewest != std::string_view::npos && fewest > most) {
+    const Suits here = suits(lines, c);
+    if (here > of_best) {
       best = delimiter;
-      most = fewest;
+      of_best = here;
     }
   }
   return best;

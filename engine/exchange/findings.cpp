@@ -11,6 +11,7 @@
 
 #include "engine/demonstration/motion.h"
 #include "engine/demonstration/quality.h"
+#include "engine/demonstration/sampling_rate.h"
 
 namespace trocar::exchange {
 namespace {
@@ -19,8 +20,6 @@ using demonstration::Sample;
 using demonstration::SampleTrack;
 
 constexpr std::array<const char*, 2> kArms{"left", "right"};
-/// A step this many times as long as the usual one is a gap.
-constexpr double kGap = 2.5;
 
 double usual_step_s(const SampleTrack& samples) {
   std::vector<std::int64_t> steps;
@@ -31,21 +30,20 @@ double usual_step_s(const SampleTrack& samples) {
   return Tick{*middle}.seconds();
 }
 
-/// "2 gaps, the longest 0.60 s at 3.20 s"; empty if there is none.
-std::string gaps(const SampleTrack& samples, double step_s) {
-  int count = 0;
+/// "2 gaps, the longest 0.60 s at 3.20 s"; empty if there is none. Gaps are those of the list of problems.
+std::string gaps(const SampleTrack& samples) {
+  const std::vector<demonstration::SampleGap> found = demonstration::sample_gaps(samples);
   double longest_s = 0.0;
   double at_s = 0.0;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const double gap_s = Tick{samples.tick(i)}.seconds() - Tick{samples.tick(i - 1)}.seconds();
-    if (gap_s < kGap * step_s) continue;
-    ++count;
+  for (const demonstration::SampleGap& gap : found) {
+    const double gap_s = Tick{samples.tick(gap.after)}.seconds() - Tick{samples.tick(gap.after - 1)}.seconds();
     if (gap_s <= longest_s) continue;
     longest_s = gap_s;
-    at_s = Tick{samples.tick(i - 1)}.seconds() - Tick{samples.tick(0)}.seconds();
+    at_s = Tick{samples.tick(gap.after - 1)}.seconds() - Tick{samples.tick(0)}.seconds();
   }
-  if (count == 0) return "";
-  return fmt::format("{} {}, the longest {:.2f} s at {:.2f} s", count, count == 1 ? "gap" : "gaps", longest_s, at_s);
+  if (found.empty()) return "";
+  return fmt::format("{} {}, the longest {:.2f} s at {:.2f} s", found.size(), found.size() == 1 ? "gap" : "gaps",
+                     longest_s, at_s);
 }
 
 int sign_changes(const SampleTrack& samples, std::size_t arm) {
@@ -124,7 +122,7 @@ std::vector<std::string> findings(const demonstration::Demonstration& document, 
   const auto add = [&](std::string sentence) {
     if (!sentence.empty()) found.push_back(std::move(sentence));
   };
-  add(gaps(samples, step_s));
+  add(gaps(samples));
   add(idle(document));
   for (std::size_t arm = 0; arm < 2; ++arm) {
     if (const int count = sign_changes(samples, arm); count > 0) {

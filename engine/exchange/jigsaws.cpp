@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -19,6 +20,7 @@ using demonstration::Sample;
 
 constexpr std::size_t kColumns = 76;
 constexpr std::array<std::size_t, 2> kFirstColumn{38, 57};  ///< Of the left and of the right slave, from 0.
+constexpr std::size_t kColumnsOfArm = 19;
 constexpr double kRate_hz = 30.0;
 /// Further from a rotation than a file's rounding explains.
 constexpr double kFarFromJigsawsRotation = 0.05;
@@ -46,7 +48,7 @@ Status read_row(std::string_view line, std::size_t number, Row& row) {
   for (std::size_t i = 0; i < kColumns; ++i) {
     const std::string_view word = take_word(line);
     if (word.empty()) return wrong_line(number, fmt::format("it has {} numbers where JIGSAWS has {}", i, kColumns));
-    if (!parse(word, row[i]) || !std::isfinite(row[i]) || std::abs(row[i]) > 1e6) {
+    if (!parse(word, row[i]) || (std::isfinite(row[i]) && std::abs(row[i]) > 1e6)) {
       return wrong_line(number, fmt::format("column {} must be a number, not \"{}\"", i + 1, word.substr(0, 40)));
     }
   }
@@ -57,9 +59,18 @@ Status read_row(std::string_view line, std::size_t number, Row& row) {
 /// Turns rows into samples and keeps in mind what it had to put right.
 class Kinematics {
  public:
+  /// A frame without a number where one is needed is left out; its time stays empty.
   Status add(const Row& row, std::size_t line) {
     Sample sample;
-    sample.tick = std::llround(static_cast<double>(samples.size()) * Tick::kPerSecond / kRate_hz);
+    sample.tick = std::llround(static_cast<double>(frames++) * Tick::kPerSecond / kRate_hz);
+    for (const std::size_t first : kFirstColumn) {
+      const bool whole = std::all_of(row.begin() + static_cast<std::ptrdiff_t>(first),
+                                     row.begin() + static_cast<std::ptrdiff_t>(first + kColumnsOfArm),
+                                     [](double number) { return std::isfinite(number); });
+      if (whole) continue;
+      if (left_out++ == 0) first_left_out = line;
+      return {};
+    }
     for (std::size_t arm = 0; arm < 2; ++arm) {
       const double* column = row.data() + kFirstColumn[arm];
       TROCAR_ASSIGN_OR_RETURN(const Eigen::Quaterniond q, rotation(column + 3, arm, line));
@@ -74,6 +85,9 @@ class Kinematics {
   }
 
   std::vector<Sample> samples;
+  std::size_t frames = 0;    ///< Those that were left out, too.
+  std::size_t left_out = 0;  ///< Of them.
+  std::size_t first_left_out = 0;
   double worst_rotation = 0.0;
 
  private:
@@ -107,11 +121,11 @@ Result<std::vector<demonstration::AddNote>> read_gestures(std::string_view text,
     std::size_t last = 0;
     const bool numbers = parse(first_word, first) && parse(last_word, last);
     if (!numbers || gesture.empty() || gesture.size() > 40 || !take_word(line).empty()) {
-      return wrong_line(number, "a line of the transcription is FIRST LAST GESTURE");
+      return fail(ErrorCode::kCorrupt, fmt::format("the transcription, line {}: it must be FIRST LAST GESTURE", number));
     }
     if (first < 1 || last < first || last > frames) {
-      return wrong_line(number,
-                        fmt::format("the transcription names frames {} to {}, there are 1 to {}", first, last, frames));
+      return fail(ErrorCode::kCorrupt, fmt::format("the transcription, line {}: it names frames {} to {}, there are 1 to {}",
+                                                   number, first, last, frames));
     }
     const auto time_of = [](std::size_t frame) { return static_cast<double>(frame - 1) / kRate_hz; };
     notes.push_back({std::string(gesture), time_of(first), time_of(last), "gesture", 0});
@@ -135,8 +149,12 @@ Result<Imported> from_jigsaws(std::string_view kinematics, std::string_view tran
     return fail(ErrorCode::kCorrupt, "a demonstration needs at least 2 lines of kinematics");
   }
   Imported imported;
-  TROCAR_ASSIGN_OR_RETURN(imported.notes, read_gestures(transcription, read.samples.size()));
+  TROCAR_ASSIGN_OR_RETURN(imported.notes, read_gestures(transcription, read.frames));
   TROCAR_RETURN_IF_ERROR(demonstration::check_samples(read.samples));
+  if (read.left_out > 0) {
+    imported.found.push_back(fmt::format("{} {} left out, the first is line {}: a number is missing", read.left_out,
+                                         read.left_out == 1 ? "frame is" : "frames are", read.first_left_out));
+  }
   if (read.worst_rotation > kRoundedDigits) {
     imported.found.push_back(fmt::format(
         "rotation matrices are rounded, off by up to {:.2g}; unit quaternions stand in", read.worst_rotation));

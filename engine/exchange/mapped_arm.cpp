@@ -55,6 +55,10 @@ Result<MappedArm> MappedArm::resolve(const NumberTable& table, const ArmColumns&
   if (columns.jaw) names.push_back(columns.jaw->column);
   for (const ColumnName& name : names) {
     TROCAR_ASSIGN_OR_RETURN(const std::size_t column, table.find(name));
+    if (std::find(arm.used_.begin(), arm.used_.end(), column) != arm.used_.end()) {
+      return fail(ErrorCode::kInvalidArgument,
+                  fmt::format("the map takes two numbers of the {} tool from one column, {}", name_of(side), table.shown(column)));
+    }
     arm.used_.push_back(column);
   }
   return arm;

@@ -126,6 +126,7 @@ class TableReader {
       imported_.found.push_back(fmt::format("{} {} left out, the first is {}: {}", reason->count,
                                             reason->count == 1 ? "row is" : "rows are", reason->first, reason->why));
     }
+    if (std::string wide = table_.too_wide(); !wide.empty()) imported_.found.push_back(std::move(wide));
     for (const MappedArm& arm : arms_) {
       for (std::string& sentence : arm.found()) imported_.found.push_back(std::move(sentence));
       for (std::string& lost : arm.lossy()) imported_.lossy.push_back(std::move(lost));
@@ -166,7 +167,7 @@ class TableReader {
   double first_time_ = 0.0;
   double last_s_ = 0.0;
   LeftOut missing_{"a number is missing"};
-  LeftOut no_rotation_{"the rotation is none"};
+  LeftOut no_rotation_{"its quaternion is far from length 1, or its matrix is no rotation"};
   LeftOut same_time_{"the time is that of the row before"};
   LeftOut backward_{"the time goes backward"};
   LeftOut too_close_{"less than a millisecond after the row before"};

@@ -86,6 +86,12 @@ Result<NumberTable> NumberTable::of_text(std::string_view text, const TextLayout
   }
   if (table.lines_.empty()) return fail(ErrorCode::kCorrupt, "the table has no rows");
   table.width_ = std::max(table.names_.size(), cells_of(table.lines_.front(), layout.delimiter).size());
+  for (std::size_t row = 0; row < table.lines_.size(); ++row) {
+    const std::string_view line = table.lines_[row];
+    const auto cuts = static_cast<std::size_t>(std::count(line.begin(), line.end(), layout.delimiter));
+    if (cuts < table.width_ || cells_of(line, layout.delimiter).size() <= table.width_) continue;
+    if (table.too_wide_++ == 0) table.first_too_wide_ = row;
+  }
   return table;
 }
 
@@ -104,6 +110,13 @@ std::string NumberTable::shown(std::size_t i) const {
 
 std::string NumberTable::place(std::size_t row) const {
   return is_text_ ? fmt::format("line {}", numbers_[row]) : fmt::format("row {}", row + 1);
+}
+
+std::string NumberTable::too_wide() const {
+  if (too_wide_ == 0) return "";
+  return fmt::format("{} more cells than there are columns, the first is {}; those are not read",
+                     too_wide_ == 1 ? std::string("1 row has") : fmt::format("{} rows have", too_wide_),
+                     place(first_too_wide_));
 }
 
 Result<std::size_t> NumberTable::find(const ColumnName& name) const {

@@ -43,6 +43,9 @@ class NumberTable {
   /// "line 7" or "row 7".
   std::string place(std::size_t row) const;
 
+  /// "3 rows have more cells than there are columns, the first is line 7; those are not read"; empty if none has.
+  std::string too_wide() const;
+
   /// Errors: kInvalidArgument for a column that is not there, or a name that several have.
   Result<std::size_t> find(const ColumnName& name) const;
   /// Of `columns`, in that order; NaN where there is none. Errors: kCorrupt for a cell that is no number.
@@ -58,6 +61,8 @@ class NumberTable {
   std::vector<std::string_view> lines_;
   std::vector<std::size_t> numbers_;  ///< Of the lines in the file.
   std::vector<double> array_;
+  std::size_t too_wide_ = 0;
+  std::size_t first_too_wide_ = 0;
 };
 
 }  // namespace trocar::exchange

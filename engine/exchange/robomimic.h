@@ -60,6 +60,8 @@ class RobomimicReader {
   Result<std::vector<std::string>> chosen() const;
   Result<Imported> demonstration(const std::string& name) const;
   std::vector<std::string> masks_of(const std::string& name) const;
+  /// One sentence for each demonstration that a filter key names and the file lacks.
+  std::vector<std::string> masks_beyond() const;
 
   RobomimicOptions options_;
   std::map<std::string, TreeNode> nodes_;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "engine/exchange/plausible.h"
@@ -60,8 +61,17 @@ class ForeignReader {
     for (std::size_t i = 0; i < rows_; ++i) {
       Sample sample;
       sample.tick = std::llround(static_cast<double>(i) * Tick::kPerSecond / rate_hz);
+      if (lacks_number(i)) {
+        if (left_out_++ == 0) first_left_out_ = i + 1;
+        continue;
+      }
       for (std::size_t arm = 0; arm < 2; ++arm) TROCAR_RETURN_IF_ERROR(read_arm(arm, i, sample.arms[arm]));
       imported_.recording.samples.push_back(sample);
+    }
+    const std::size_t taken = imported_.recording.samples.size();
+    if (taken < 2 || 2 * taken < rows_) {
+      return fail(ErrorCode::kCorrupt, fmt::format("only {} of {} rows can be samples, numbers are missing from row {} on",
+                                                   taken, rows_, first_left_out_));
     }
     TROCAR_RETURN_IF_ERROR(demonstration::check_samples(imported_.recording.samples));
     say();
@@ -114,6 +124,18 @@ class ForeignReader {
     return node.shape.size() == 2 ? static_cast<std::size_t>(node.shape[1]) : 1;
   }
 
+  bool lacks_number(std::size_t row) const {
+    for (const ArmArrays& arm : arms_) {
+      if (arm.position == nullptr) continue;
+      for (const TreeNode* node : {arm.position, arm.rotation, arm.gripper}) {
+        for (std::size_t i = 0; node != nullptr && i < width_of(*node); ++i) {
+          if (!std::isfinite(node->number(row * width_of(*node) + i))) return true;
+        }
+      }
+    }
+    return false;
+  }
+
   /// Of all fingers together.
   static double opening_at(const TreeNode& gripper, std::size_t row) {
     double sum = 0.0;
@@ -125,6 +147,7 @@ class ForeignReader {
   Opening opening(const TreeNode* gripper) const {
     Opening range;
     for (std::size_t row = 0; gripper != nullptr && row < rows_; ++row) {
+      if (!std::isfinite(opening_at(*gripper, row))) continue;
       range.low = std::min(range.low, opening_at(*gripper, row));
       range.high = std::max(range.high, opening_at(*gripper, row));
     }
@@ -201,6 +224,13 @@ class ForeignReader {
     recording.provenance.goal = demonstration::kUnknownPlace;
     recording.outcome = demonstration::Outcome::kUnknown;
     for (std::size_t arm = 0; arm < 2; ++arm) say_arm(arm);
+    if (left_out_ > 0) {
+      imported_.found.push_back(fmt::format("{} {} left out, the first is row {}: a number is missing", left_out_,
+                                            left_out_ == 1 ? "row is" : "rows are", first_left_out_));
+    }
+    if (const std::optional<std::int64_t> told = told_samples(); told && *told != static_cast<std::int64_t>(rows_)) {
+      imported_.found.push_back(fmt::format("the file says {} samples, but holds {}; all are taken", *told, rows_));
+    }
     if (worst_ > kRounded) {
       imported_.found.push_back(
           fmt::format("quaternions are off by up to {:.2g} in length; unit ones stand in", worst_));
@@ -249,8 +279,18 @@ class ForeignReader {
     if (names.size() > shown) imported_.lossy.push_back(fmt::format("{} further arrays", names.size() - shown));
   }
 
+  std::optional<std::int64_t> told_samples() const {
+    const auto group = nodes_.find(group_);
+    if (group == nodes_.end()) return std::nullopt;
+    const auto told = group->second.attributes.find("num_samples");
+    const auto* number = told == group->second.attributes.end() ? nullptr : std::get_if<std::int64_t>(&told->second);
+    return number == nullptr ? std::nullopt : std::optional(*number);
+  }
+
   const Nodes& nodes_;
   const std::string& group_;
+  std::size_t left_out_ = 0;
+  std::size_t first_left_out_ = 0;  ///< From 1.
   std::array<ArmArrays, 2> arms_;
   std::array<Opening, 2> opening_;
   std::size_t rows_ = 0;

@@ -250,6 +250,7 @@ Status apply_robomimic_header(std::string_view text, std::string world, Imported
   std::optional<Header> header = parse(text);
   if (!header) return fail(ErrorCode::kCorrupt, "what Trocar wrote beside its samples is damaged");
   imported.name = header->name;
+  imported.name_is_own = true;
   imported.notes = std::move(header->notes);
   std::vector<Sample> samples = std::move(imported.recording.samples);
   if (demonstration::hash_of(samples) != header->samples_hash) {

@@ -177,6 +177,25 @@ Result<Imported> RobomimicReader::demonstration(const std::string& name) const {
   return imported;
 }
 
+std::vector<std::string> RobomimicReader::masks_beyond() const {
+  const std::vector<std::string> all = demonstrations_of(nodes_);
+  std::vector<std::string> sentences;
+  for (auto at = nodes_.lower_bound("mask/"); at != nodes_.end() && at->first.starts_with("mask/"); ++at) {
+    for (const std::string& name : at->second.texts) {
+      if (std::find(all.begin(), all.end(), name) != all.end()) continue;
+      sentences.push_back(fmt::format("the filter key {} names {}, which the file does not hold",
+                                      at->first.substr(5).substr(0, 60), name.substr(0, 60)));
+    }
+  }
+  constexpr std::size_t kMost = 5;
+  if (sentences.size() > kMost) {
+    const std::size_t more = sentences.size() - kMost;
+    sentences.resize(kMost);
+    sentences.push_back(fmt::format("{} more are named by filter keys and not there", more));
+  }
+  return sentences;
+}
+
 Result<std::vector<Imported>> RobomimicReader::finish() {
   if (options_.rate_hz != 0.0 && !(options_.rate_hz >= 0.1 && options_.rate_hz <= Tick::kPerSecond)) {
     return fail(ErrorCode::kInvalidArgument, "the rate must be from 0.1 to 1000 samples a second");
@@ -196,6 +215,7 @@ Result<std::vector<Imported>> RobomimicReader::finish() {
     }
     all.push_back(std::move(*one));
   }
+  for (std::string& sentence : masks_beyond()) all.front().found.push_back(std::move(sentence));
   return all;
 }
 

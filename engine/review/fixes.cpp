@@ -121,7 +121,7 @@ std::optional<Edit> open_fix(const Demonstration& document, const Problem& probl
     const double jaw_rad = sample.arms[arm].setpoint_jaw_rad;
     if (jaw_rad < kCountsAsOpen_rad) continue;
     edit.from_s = document.time_of(sample);
-    edit.jaw_rad = jaw_rad;
+    edit.jaw_rad = std::min(jaw_rad, kJawHigh_rad);
     break;
   }
   if (!(edit.jaw_rad > 0.0)) return std::nullopt;

@@ -217,7 +217,7 @@ struct TrainModel {
 struct SimulateDemonstration {
   DemonstrationId demonstration;
 };
-/// Makes the quick fixes of all its problems that help, each a step of the history.
+/// Makes the quick fixes of all its problems that help, together one step of the history.
 struct FixProblems {
   DemonstrationId demonstration;
 };

@@ -6,6 +6,7 @@
 
 #include "engine/demonstration/clip.h"
 #include "engine/demonstration/edit_sentence.h"
+#include "engine/demonstration/edit_words.h"
 #include "engine/demonstration/name.h"
 
 namespace trocar::workbench {
@@ -422,6 +423,22 @@ std::string_view name_of(const Edit& edit) {
 
 std::string describe(const Edit& edit, const Project& before) {
   return std::visit(Description{before}, edit);
+}
+
+Edit as_typed(Edit edit) {
+  const auto each = [](std::vector<demonstration::Edit>& edits) {
+    for (demonstration::Edit& one : edits) one = demonstration::as_typed(one);
+  };
+  if (auto* change = std::get_if<EditDemonstration>(&edit)) change->edit = demonstration::as_typed(change->edit);
+  if (auto* change = std::get_if<ReplaceStackEntry>(&edit)) change->edit = demonstration::as_typed(change->edit);
+  if (auto* copy = std::get_if<CopyDemonstration>(&edit)) each(copy->edits);
+  if (auto* copies = std::get_if<CopyDemonstrations>(&edit)) {
+    for (CopyDemonstration& copy : copies->copies) each(copy.edits);
+  }
+  if (auto* batch = std::get_if<Batch>(&edit)) {
+    for (Edit& one : batch->edits) one = as_typed(std::move(one));
+  }
+  return edit;
 }
 
 }  // namespace trocar::workbench

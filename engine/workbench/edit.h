@@ -198,6 +198,8 @@ std::string_view name_of(const Edit& edit);
 /// For the history: "Trim Expert 1 to 0.40–12.30 s".
 std::string describe(const Edit& edit, const Project& before);
 std::string to_json(const Edit& edit);
+/// With the numbers of what it does to demonstrations as their words say them: `demonstration::as_typed`.
+Edit as_typed(Edit edit);
 Result<Edit> edit_from_json(std::string_view name, std::string_view json);
 
 }  // namespace trocar::workbench

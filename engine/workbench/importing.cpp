@@ -26,8 +26,7 @@ std::string wanted_name(const ImportSettings& settings, const exchange::Imported
   const std::string file = settings.path.stem().string();
   if (!settings.name.empty()) return nth == 0 ? settings.name : fmt::format("{} {}", settings.name, nth + 1);
   if (imported.name.empty()) return file;
-  return imported.recording.provenance.operator_kind == "imported" ? fmt::format("{} {}", file, imported.name)
-                                                                   : imported.name;
+  return imported.name_is_own ? imported.name : fmt::format("{} {}", file, imported.name);
 }
 
 exchange::ImportOptions options_of(const ImportSettings& settings, const ImportLayout& layout) {
@@ -52,7 +51,7 @@ Result<ImportPart> part_of(const ImportSettings& settings, exchange::Imported im
   auto recording = std::make_shared<const demonstration::Recording>(std::move(imported.recording));
   TROCAR_ASSIGN_OR_RETURN(auto document, demonstration::make_demonstration({}, part.name, std::move(recording)));
   part.found = exchange::findings(document, spatial::Grid{});
-  part.found.insert(part.found.end(), imported.found.begin(), imported.found.end());
+  part.changed = std::move(imported.found);
   const review::Review reviewed = review::Reviewer().make(document);
   part.warnings = review::count_of(reviewed.problems, demonstration::Severity::kWarning);
   part.errors = review::count_of(reviewed.problems, demonstration::Severity::kError);

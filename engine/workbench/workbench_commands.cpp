@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "engine/demonstration/edit_words.h"
 #include "engine/workbench/jobs/field_job.h"
 #include "engine/workbench/jobs/film_job.h"
 #include "engine/workbench/jobs/train_job.h"
@@ -44,10 +45,11 @@ void Workbench::Impl::on(const OpenProject& command) {
 
 void Workbench::Impl::on(const PreviewEdit& command) {
   // What cannot be found is missing in the preview too, which says so.
-  const Result<demonstration::Edit> whole = file ? file->resolved(command.edit, state.demonstration, command.entry)
-                                                 : Result<demonstration::Edit>(command.edit);
+  const demonstration::Edit edit = demonstration::as_typed(command.edit);
+  const Result<demonstration::Edit> whole =
+      file ? file->resolved(edit, state.demonstration, command.entry) : Result<demonstration::Edit>(edit);
   const std::string why = whole ? "" : whole.error().text();
-  preview.request({demonstration(state.demonstration), whole.value_or(command.edit), command.entry, why});
+  preview.request({demonstration(state.demonstration), whole.value_or(edit), command.entry, why});
   dirty = true;
 }
 

@@ -139,8 +139,9 @@ Status Workbench::Impl::keep_model(const std::shared_ptr<ProjectFile>& owner,
   return {};
 }
 
-void Workbench::Impl::on(const CommitEdit& command) {
+void Workbench::Impl::on(const CommitEdit& asked) {
   if (!document_free()) return;
+  const CommitEdit command{as_typed(asked.edit)};
   if (file && make_beside(command)) return;
   write([this, command] { return commit(command); });
 }

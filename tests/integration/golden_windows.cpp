@@ -80,6 +80,7 @@ WorkbenchState with_model_of(std::uint64_t hash) {
   state.project = project;
   auto insight = std::make_shared<workbench::ModelInsight>(*state.insight);
   insight->entry = entry;
+  insight->stale = project->stale(*entry);
   state.insight = insight;
   return state;
 }

@@ -212,7 +212,11 @@ void ImportForm::draw_part(Ui& ui, const ImportView& view, const std::vector<std
   }
   const ImportPart& part = view.parts[static_cast<std::size_t>(part_)];
   heading(ui, "Found, and left as it is");
-  sentences(ui, icon::kInfo, found_beside(part.found, doubts), ui.theme().accent);
+  sentences(ui, icon::kInfo, part.found, ui.theme().accent);
+  if (const std::vector<std::string> changed = found_beside(part.changed, doubts); !changed.empty()) {
+    heading(ui, "Taken in another way than it stands there");
+    sentences(ui, icon::kWarning, changed, ui.theme().warning);
+  }
   if (!part.lossy.empty()) {
     heading(ui, "Not in the file");
     sentences(ui, icon::kWarning, part.lossy, ui.theme().warning);

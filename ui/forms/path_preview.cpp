@@ -6,6 +6,7 @@
 
 #include "engine/peg_board/peg_board.h"
 #include "ui/widgets/plot.h"
+#include "ui/widgets/stroke.h"
 
 namespace trocar::ui {
 namespace {
@@ -84,7 +85,7 @@ void PathPreview::draw_view(Ui& ui, std::string_view label, int across, int up, 
     points.reserve(paths_[arm].size());
     for (const Eigen::Vector3d& p_WT : paths_[arm]) points.push_back(to.at(p_WT));
     if (points.empty()) continue;
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_None, ui.px(1.5F));
+    stroke(list, points, colour, ui.px(1.5F));
     list.AddCircleFilled(points.front(), ui.px(3), colour);
     list.AddText({points.front().x + ui.px(5), points.front().y - ui.px(8)}, to_u32(theme.text), arm == 0 ? "L" : "R");
   }

@@ -10,14 +10,6 @@
 
 namespace trocar::ui {
 
-bool draw_no_project(Ui& ui, const WorkbenchState& state) {
-  using workbench::LoadState;
-  if (state.load == LoadState::kReady && state.project != nullptr) return false;
-  // What went wrong and what can be done is said once, in the view.
-  if (state.load == LoadState::kLoading) empty_state(ui, "", "", "Opening the project", {});
-  return true;
-}
-
 namespace {
 
 void draw_open_error(Ui& ui, const WorkbenchState& state, Requests& requests) {
@@ -31,6 +23,26 @@ void draw_open_error(Ui& ui, const WorkbenchState& state, Requests& requests) {
 }
 
 }  // namespace
+
+bool draw_no_project(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  using workbench::LoadState;
+  if (state.load == LoadState::kReady && state.project != nullptr) return false;
+  if (state.load == LoadState::kLoading) {
+    empty_state(ui, "", "", "Opening the project", {});
+    return true;
+  }
+  // The view says at length what went wrong, or what can be done first; here one way on is enough.
+  if (state.load == LoadState::kFailed) {
+    const std::array<EmptyStateAction, 1> retry{{{"Retry", icon::kRefresh, {}, "Open the same file again"}}};
+    if (empty_state(ui, "", "", "The project did not open", retry) == 0) {
+      requests.emplace_back(workbench::Command{workbench::OpenProject{state.path, false}});
+    }
+    return true;
+  }
+  const std::array<EmptyStateAction, 1> open{{{"Open project…", icon::kFolder, {}, "Open a project file"}}};
+  if (empty_state(ui, "", "", "No project is open", open) == 0) requests.emplace_back(UiAction::kOpenProject);
+  return true;
+}
 
 bool draw_welcome(Ui& ui, const WorkbenchState& state, Requests& requests) {
   using workbench::LoadState;

@@ -10,9 +10,9 @@
 
 namespace trocar::ui {
 
-/// Where no project is ready: true, and little is drawn; `draw_welcome` says why.
-bool draw_no_project(Ui& ui, const WorkbenchState& state);
-/// The same at length, once in the window: empty, loading or error, with what can be done about it.
+/// Where no project is ready: true, and why and what can be done about it is drawn.
+bool draw_no_project(Ui& ui, const WorkbenchState& state, Requests& requests);
+/// The same at length, for the view: with all ways on.
 bool draw_welcome(Ui& ui, const WorkbenchState& state, Requests& requests);
 
 /// Why nothing of the document can be changed while a take goes on or waits for its verdict; "" if it can.

@@ -182,7 +182,7 @@ void CurvesPanel::draw_plots(Ui& ui, const WorkbenchState& state, const Demonstr
 
 Requests CurvesPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   if (state.live) {
     empty_state(ui, icon::kRecord, "Recording", "Its curves appear here when it ends", {});
     return requests;

@@ -218,7 +218,7 @@ void DiffPanel::draw_result(Ui& ui, const WorkbenchState& state, const Compariso
 
 Requests DiffPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   if (state.live) {
     empty_state(ui, icon::kRecord, "Recording", "There is something to compare when it ends", {});
     return requests;

@@ -432,7 +432,7 @@ void EditsPanel::draw_stack(Ui& ui, const WorkbenchState& state, const Demonstra
 
 Requests EditsPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   const auto shown = selected_demonstration(state);
   if (draft_ && (shown == nullptr || shown->id != draft_->demonstration)) end(requests);
   if (shown == nullptr) {

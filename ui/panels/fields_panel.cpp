@@ -275,7 +275,7 @@ void FieldsPanel::draw_slices(Ui& ui, const WorkbenchState& state, Requests& req
 
 Requests FieldsPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   if (!state.insight || state.insight->entry == nullptr || state.insight->field == nullptr) {
     const std::string reason = command("model.train").reason_now(state);
     const std::array<EmptyStateAction, 1> actions{

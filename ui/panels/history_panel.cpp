@@ -184,7 +184,7 @@ void HistoryPanel::draw_row(Ui& ui, const WorkbenchState& state, const HistoryRo
 
 Requests HistoryPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   if (state.history.empty()) {
     empty_state(ui, icon::kHistory, "", "Every edit appears here and can be undone, also tomorrow", {});
     return requests;

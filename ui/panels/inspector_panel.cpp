@@ -181,7 +181,7 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
 
 Requests InspectorPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   if (state.live) {
     draw_live(ui, state);
     return requests;

@@ -9,6 +9,7 @@
 
 #include "ui/format.h"
 #include "ui/icons.h"
+#include "ui/widgets/stroke.h"
 
 namespace trocar::ui {
 namespace {
@@ -156,7 +157,7 @@ void LanePainter::line(const plot::Curve& curve, double low, double high, Rgba c
     }
     if (points.size() < 2) continue;
     if (!dashed) {
-      list().AddPolyline(points.data(), static_cast<int>(points.size()), to_u32(colour), ImDrawFlags_None, thick);
+      stroke(list(), points, to_u32(colour), thick);
       continue;
     }
     for (std::size_t i = 1; i < points.size(); ++i) dash(points[i - 1], points[i], to_u32(colour), thick);

@@ -154,7 +154,7 @@ void LibraryPanel::draw_buttons(Ui& ui, const WorkbenchState& state, Requests& r
 
 Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   remember(state);
   const bool wide = ImGui::GetContentRegionAvail().x > ui.px(400);
   // The buttons stay in sight where there is room for them and for a list.

@@ -197,7 +197,7 @@ void draw_summary(Ui& ui, const std::string& words) {
 
 Requests ProblemsPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   follow(state, requests);
   if (selected_demonstration(state) == nullptr) {
     empty_state(ui, icon::kWarning, "Nothing to check", "Select or record a demonstration", {});

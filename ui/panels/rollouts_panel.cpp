@@ -198,7 +198,7 @@ void RolloutsPanel::draw_controls(Ui& ui, const WorkbenchState& state, Requests&
 
 Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   if (!state.insight || state.insight->entry == nullptr) {
     const std::string reason = command("model.train").reason_now(state);
     const std::array<EmptyStateAction, 1> actions{

@@ -233,7 +233,7 @@ bool TimelinePanel::escapes(const Ui& ui) const {
 
 Requests TimelinePanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   if (state.live) {
     draw_live(ui, state);
     return requests;

@@ -78,7 +78,7 @@ std::string TrainPanel::reason(const WorkbenchState& state) const {
 
 Requests TrainPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  if (draw_no_project(ui, state)) return requests;
+  if (draw_no_project(ui, state, requests)) return requests;
   if (state.project->demonstrations.empty()) {
     const std::string reason = command("demo.record").reason_now(state);
     const std::array<EmptyStateAction, 1> actions{{{"Record…", icon::kRecord, reason, "Record a transfer"}}};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/stroke.h"
+
 namespace trocar::ui {
 namespace {
 
@@ -13,10 +15,8 @@ float line_width(const Ui& ui, LineStyle style) {
   return style == LineStyle::kGhost ? std::max(ui.px(1), 1.0F) : 1.6F * ui.scale();
 }
 
-void stroke(const std::vector<ImVec2>& points, ImU32 colour, float width) {
-  if (points.size() < 2) return;
-  ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour, ImDrawFlags_None,
-                                          width);
+void stroke_here(const std::vector<ImVec2>& points, ImU32 colour, float width) {
+  stroke(*ImGui::GetWindowDrawList(), points, colour, width);
 }
 
 // The dashes go on around the corners, so that a line of many short pieces has them, too.
@@ -39,7 +39,7 @@ void stroke_dashed(const Ui& ui, const std::vector<ImVec2>& points, ImU32 colour
       way -= left;
       if (down) {
         piece.push_back(at);
-        stroke(piece, colour, width);
+        stroke_here(piece, colour, width);
       }
       piece.clear();
       down = !down;
@@ -48,7 +48,7 @@ void stroke_dashed(const Ui& ui, const std::vector<ImVec2>& points, ImU32 colour
     left -= way;
     if (down) piece.push_back(points[i]);
   }
-  if (down) stroke(piece, colour, width);
+  if (down) stroke_here(piece, colour, width);
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ void draw_line(const Ui& ui, const PlotArea& area, const PlotLine& line) {
     } else if (line.style == LineStyle::kDashed) {
       stroke_dashed(ui, points, colour, width);
     } else {
-      stroke(points, colour, width);
+      stroke_here(points, colour, width);
     }
   }
 }
@@ -77,7 +77,7 @@ void draw_sample(const Ui& ui, const PlotLine& line, float x0, float x1, float y
   if (line.style == LineStyle::kDashed) {
     stroke_dashed(ui, points, to_u32(line.colour), line_width(ui, line.style));
   } else {
-    stroke(points, to_u32(line.colour), line_width(ui, line.style));
+    stroke_here(points, to_u32(line.colour), line_width(ui, line.style));
   }
   draw_mark(ui, line, {0.5F * (x0 + x1), y});
 }

@@ -10,6 +10,7 @@
 #include "engine/demonstration/time_warp.h"
 #include "ui/icons.h"
 #include "ui/widgets/plot_lines.h"
+#include "ui/widgets/stroke.h"
 
 namespace trocar::ui {
 namespace {
@@ -164,7 +165,7 @@ bool WarpCurve::draw(Ui& ui, std::string_view label, double begin_s, double end_
     const double old_s = begin_s + (end_s - begin_s) * i / kPieces;
     points[static_cast<std::size_t>(i)] = ground.at({old_s, curve.at(old_s)});
   }
-  list.AddPolyline(points.data(), static_cast<int>(points.size()), to_u32(theme.accent), 0, ui.px(2));
+  stroke(list, points, to_u32(theme.accent), ui.px(2));
   for (std::size_t i = 0; i < knots.size(); ++i) {
     const ImVec2 at = ground.at(knots[i]);
     const float radius = ui.px(kKnotRadius);

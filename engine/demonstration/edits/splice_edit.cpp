@@ -1,4 +1,6 @@
 // Splice: a clip put in.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -72,6 +74,10 @@ Result<Place> place_of(const Demonstration& document, const Splice& edit) {
   }
   if (edit.until_s != 0.0 && edit.until_s < edit.at_s) {
     return fail(ErrorCode::kInvalidArgument, "what the clip replaces must end after it begins");
+  }
+  if (edit.at_s > document.end_s + Tick{kTicksPerSample}.seconds() || edit.at_s < 0.0) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("{:.2f} s is not within the demonstration, which ends at {:.2f} s", edit.at_s, document.end_s));
   }
   const SampleTrack& track = document.samples;
   Place place;

@@ -372,6 +372,32 @@ TEST_CASE("without names the numbers tell: a rising time, positions with quatern
   CHECK(array.map.time.rate_hz == 30.0);
 }
 
+TEST_CASE("decimal commas in every cell are no delimiter, with semicolons or tabs") {
+  for (const char cut : {';', '\t'}) {
+    std::string text = fmt::format("time_s{0}left_x_mm{0}left_y_mm{0}left_z_mm\n", cut);
+    for (int i = 0; i < 20; ++i) text += fmt::format("{1},{2}{0}1,5{0}-2,25{0}3,{2}\n", cut, i / 10, i % 10);
+    const ColumnGuess guess = guess_columns_of_text(text).value().value();
+    CHECK(guess.map.delimiter == (cut == ';' ? ";" : "tab"));
+    CHECK(guess.map.decimal == ",");
+    CHECK(guess.map.header_lines == 1);
+    CHECK(guess.map.arms[0].position->unit == "mm");
+    const demonstration::Recording read = import_text(text, guess.map)->recording;
+    REQUIRE(read.samples.size() == 20);
+    CHECK(read.samples[3].arms[0].setpoint_p[1] == doctest::Approx(-0.00225));
+  }
+}
+
+TEST_CASE("axes in two units, cells beyond the columns and one column taken twice are told") {
+  std::string text = "time_s,left_x_mm,left_y_m,left_z_mm\n";
+  for (int i = 0; i < 20; ++i) text += fmt::format("{},{},2,3{}\n", i, i, i == 4 ? ",5" : "");
+  ColumnGuess guess = guess_columns_of_text(text).value().value();
+  CHECK(mentions(guess.doubts, "left_y_m is named in m, another axis of that tool in mm; all are taken as mm"));
+  CHECK(mentions(import_text(text, guess.map)->found, "1 row has more cells than there are columns, the first is line 6"));
+  guess.map.arms[0].position->columns[1] = "left_x_mm";
+  CHECK(import_text(text, guess.map).error().text() ==
+        "the map takes two numbers of the left tool from one column, left_x_mm");
+}
+
 TEST_CASE("a file is imported through its map, and moved as asked") {
   const testing::ScratchFolder folder;
   REQUIRE(write_file(folder / "r.tsv", "t,x,y,z\n0,1,2,3\n1,1,2,3\n"));

@@ -90,11 +90,24 @@ TEST_CASE("a wrong JIGSAWS file gives one sentence with the line at fault") {
   CHECK(refusal("") == "a demonstration needs at least 2 lines of kinematics");
   CHECK(refusal(lines(1)) == "a demonstration needs at least 2 lines of kinematics");
   CHECK(refusal(lines(2) + "1 2 3\n") == "line 3: it has 3 numbers where JIGSAWS has 76");
-  CHECK(refusal("nan " + lines(2)) == "line 1: column 1 must be a number, not \"nan\"");
+  CHECK(refusal("none " + lines(2)) == "line 1: column 1 must be a number, not \"none\"");
   CHECK(refusal("0 " + lines(2)).find("line 1:") == 0);
-  CHECK(refusal(lines(3), "1 2\n") == "line 1: a line of the transcription is FIRST LAST GESTURE");
-  CHECK(refusal(lines(3), "1 9 G1\n") == "line 1: the transcription names frames 1 to 9, there are 1 to 3");
-  CHECK(refusal(lines(3), "3 2 G1\n") == "line 1: the transcription names frames 3 to 2, there are 1 to 3");
+  CHECK(refusal(lines(3), "1 2\n") == "the transcription, line 1: it must be FIRST LAST GESTURE");
+  CHECK(refusal(lines(3), "1 9 G1\n") == "the transcription, line 1: it names frames 1 to 9, there are 1 to 3");
+  CHECK(refusal(lines(3), "3 2 G1\n") == "the transcription, line 1: it names frames 3 to 2, there are 1 to 3");
+}
+
+TEST_CASE("a frame without a number is left out and told, and the others keep their times") {
+  std::string text = lines(31);
+  // A word of the third line that is the left slave's.
+  std::size_t at = text.find('\n', text.find('\n') + 1) + 1;
+  for (int word = 0; word < 40; ++word) at = text.find_first_not_of(' ', text.find(' ', at));
+  text.replace(at, text.find(' ', at) - at, "nan");
+  const Imported read = from_jigsaws(text, "1 31 G1\n").value();
+  REQUIRE(read.recording.samples.size() == 30);
+  CHECK(read.recording.samples[2].tick == 100);
+  CHECK(mentions(read.found, "1 frame is left out, the first is line 3: a number is missing"));
+  CHECK(read.notes[0].to_s == doctest::Approx(1.0));
 }
 
 TEST_CASE("an import is moved to where its frame is on the board, and says what is odd about it") {
