@@ -43,6 +43,29 @@ TEST_CASE("Tab goes to every button that can be pressed, and Shift+Tab back") {
   }
 }
 
+TEST_CASE("in every workspace Tab comes by everything that can be pressed, chosen or filled in") {
+  const std::set<std::string> roles{"button", "toggle", "checkbox", "combo", "slider", "field", "row"};
+  for (const char* workspace : {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4"}) {
+    CAPTURE(workspace);
+    Desk desk(testing::made_state_with_model());
+    CHECK(desk.driver().key(workspace));
+    CHECK(desk.driver().frames(4));
+    std::set<std::string> wanted;
+    for (const Item& item : desk.session->items().items()) {
+      if (item.enabled && roles.contains(item.role) && item.reachable()) wanted.insert(item.path);
+    }
+    REQUIRE(wanted.size() > 20);
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < 3 * wanted.size() + 60; ++i) {
+      CHECK(desk.driver().key("Tab"));
+      seen.insert(focus_of(desk).path());
+    }
+    std::string missed;
+    for (const std::string& path : wanted) missed += seen.contains(path) ? "" : path + "; ";
+    CHECK(missed == "");
+  }
+}
+
 TEST_CASE("Enter presses what the ring is on, and the arrows go along a list") {
   Desk desk(testing::made_state());
   REQUIRE(tab_to(desk, "Library/Demonstrations/Expert 1"));

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <rapidcheck.h>
 
 #include <map>
@@ -86,6 +87,21 @@ std::string bytes_of(const Project& project) {
   return bytes;
 }
 
+/// The document's hash, and what it leaves out: notes, and the stack with what is on in it.
+std::string whole_state(const Project& project) {
+  std::string state = std::to_string(project.hash());
+  for (const auto& [id, document] : project.demonstrations) {
+    state += fmt::format("|{}", id.value);
+    for (const demonstration::Note& note : document->notes) {
+      state += fmt::format(";{} {} {} {}", note.text, note.begin_s, note.end_s, note.tag);
+    }
+    for (const demonstration::StackEntry& entry : *document->stack) {
+      state += fmt::format(";{} {} {}", entry.name, entry.enabled, demonstration::to_json(*entry.edit));
+    }
+  }
+  return state;
+}
+
 /// The name of an edit, and of what it does to a demonstration.
 std::string kind_of(const Edit& edit) {
   const auto* of_one = std::get_if<EditDemonstration>(&edit);
@@ -99,18 +115,18 @@ TEST_CASE("any edits undone give the original hash, and redone the edited one") 
     Walked walked;
     ProjectFile& file = walked.file;
     Random random(*rc::gen::arbitrary<std::uint64_t>());
-    std::vector<std::uint64_t> hashes{file.project()->hash()};
+    std::vector<std::string> states{whole_state(*file.project())};
     const int count = *rc::gen::inRange(1, 40);
     for (int i = 0; i < count; ++i) {
-      if (file.commit(walked.any_edit(random))) hashes.push_back(file.project()->hash());
+      if (file.commit(walked.any_edit(random))) states.push_back(whole_state(*file.project()));
     }
-    for (std::size_t i = hashes.size() - 1; i-- > 0;) {
+    for (std::size_t i = states.size() - 1; i-- > 0;) {
       RC_ASSERT(file.undo().has_value());
-      RC_ASSERT(file.project()->hash() == hashes[i]);
+      RC_ASSERT(whole_state(*file.project()) == states[i]);
     }
-    for (std::size_t i = 1; i < hashes.size(); ++i) {
+    for (std::size_t i = 1; i < states.size(); ++i) {
       RC_ASSERT(file.redo().has_value());
-      RC_ASSERT(file.project()->hash() == hashes[i]);
+      RC_ASSERT(whole_state(*file.project()) == states[i]);
     }
     RC_ASSERT(!file.redoable());
   }));
