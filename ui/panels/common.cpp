@@ -14,7 +14,7 @@ bool draw_no_project(Ui& ui, const WorkbenchState& state) {
   using workbench::LoadState;
   if (state.load == LoadState::kReady && state.project != nullptr) return false;
   // What went wrong and what can be done is said once, in the view.
-  if (state.load == LoadState::kLoading) empty_state(ui, "", "", "Opening the project", {});
+  empty_state(ui, "", "", state.load == LoadState::kLoading ? "Opening the project" : "No project is open", {});
   return true;
 }
 
