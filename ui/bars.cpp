@@ -62,9 +62,6 @@ void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settin
 // How much of the menu bar is spelled out; the first for which there is room is taken.
 enum class BarWords : std::uint8_t { kAll, kIcons, kOneMenu };
 
-constexpr std::array<PanelId, kWorkspaceCount> kWorkspacePanels{PanelId::kLibrary, PanelId::kTimeline, PanelId::kFields,
-                                                                PanelId::kRollouts};
-
 constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceCommands{"view.library", "view.author", "view.fields",
                                                                            "view.rollouts"};
 
@@ -135,8 +132,9 @@ float bar_width(const Ui& ui, const std::vector<Lamp>& lamps, BarWords detail) {
   if (detail == BarWords::kOneMenu) width += ImGui::CalcTextSize(icon::kBars).x + ui.px(28);
   for (std::size_t i = 0; i < kWorkspaceCount; ++i) {
     const auto workspace = static_cast<Workspace>(i);
-    width += ui.px(2) + framed_width(detail == BarWords::kAll ? std::string(title(workspace))
-                                                              : std::string(icon_of(kWorkspacePanels[i])));
+    width +=
+        ui.px(2) + framed_width(detail == BarWords::kAll ? std::string(title(workspace))
+                                                         : std::string(icon_of(main_panel(static_cast<Workspace>(i)))));
   }
   for (const Lamp& lamp : lamps) width += framed_width(words_of(lamp, detail)) + ui.px(4);
   return width;
@@ -207,7 +205,7 @@ void draw_workspaces(Ui& ui, const Settings& settings, BarWords detail, Requests
     if (i > 0) ImGui::SameLine(0.0F, ui.px(2));
     const std::string keys(shown_keys(ui, kWorkspaceCommands[i]));
     const std::string help = std::string(title(workspace)) + " workspace";
-    const char* only = detail == BarWords::kAll ? nullptr : icon_of(kWorkspacePanels[i]);
+    const char* only = detail == BarWords::kAll ? nullptr : icon_of(main_panel(static_cast<Workspace>(i)));
     if (toggle(ui, title(workspace), settings.workspace == workspace,
                {.icon = only, .icon_only = only != nullptr, .help = help, .shortcut = keys})) {
       requests.emplace_back(ShowWorkspace{workspace});
@@ -219,8 +217,8 @@ void draw_workspaces(Ui& ui, const Settings& settings, BarWords detail, Requests
   }
 }
 
-void draw_lamps(Ui& ui, const std::vector<Lamp>& lamps, BarWords detail, const Settings& settings,
-                double frames_hz, Requests& requests) {
+void draw_lamps(Ui& ui, const std::vector<Lamp>& lamps, BarWords detail, const Settings& settings, double frames_hz,
+                Requests& requests) {
   const float free_from = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
   float x = ImGui::GetWindowWidth() - ui.px(12);
   const auto place = [&](const std::string& words) {

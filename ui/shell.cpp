@@ -44,6 +44,7 @@ Shell::Shell(Settings& settings)
     : settings_(settings), tiles_(time_), keymap_(std::make_shared<const Keymap>(settings.keys)) {
   time_->hidden_lanes = settings_.hidden_lanes;
   time_->ruler = settings_.ruler;
+  tiles_.favour(main_panel(settings_.workspace));
 }
 
 void Shell::tell(std::string words) {
@@ -251,6 +252,7 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
     } else if (const auto* workspace = std::get_if<ShowWorkspace>(&request)) {
       tiles_.maximise({});
       settings_.workspace = workspace->workspace;
+      tiles_.favour(main_panel(settings_.workspace));
     } else if (const auto* keys = std::get_if<ChooseKeys>(&request)) {
       choose_keys(keys->keys);
     } else if (const auto* move = std::get_if<MovePanel>(&request)) {

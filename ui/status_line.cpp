@@ -72,6 +72,13 @@ std::string_view tool_hint(const WorkbenchState& state) {
   return {};
 }
 
+std::string project_words(const WorkbenchState& state) {
+  using workbench::LoadState;
+  if (state.load == LoadState::kLoading) return "Opening " + shown_path(state.path);
+  if (state.load == LoadState::kFailed) return "Could not open " + shown_path(state.path);
+  return state.project == nullptr ? std::string("No project") : shown_path(state.path);
+}
+
 }  // namespace
 
 float status_line_height(const Ui& ui) {
@@ -85,9 +92,7 @@ Requests draw_status_line(Ui& ui, const WorkbenchState& state, const StatusLine&
   const float top = ImGui::GetCursorPosY();
   const float y = top + 0.5F * (status_line_height(ui) - ImGui::GetTextLineHeight());
   const float right = ImGui::GetWindowWidth() - ui.px(10);
-  const std::string project = state.load == workbench::LoadState::kFailed ? "Could not open " + shown_path(state.path)
-                              : state.project == nullptr                  ? std::string("No project")
-                                                                          : shown_path(state.path);
+  const std::string project = project_words(state);
   const std::string tool(tool_hint(state));
   const std::string& still = line.hint.empty() ? tool : line.hint;
   const bool tells = !line.done.empty() && (still.empty() || line.just_done);

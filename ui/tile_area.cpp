@@ -89,7 +89,11 @@ std::optional<Side> side_near(const Rect& rect, ImVec2 at) {
 
 TileArea::TileArea(const std::shared_ptr<SharedTime>& time) {
   for (std::size_t i = 0; i < kPanelCount; ++i) panels_[i] = make_panel(static_cast<PanelId>(i), time);
-  fronted_[static_cast<std::size_t>(PanelId::kView)] = front_counter_;
+}
+
+void TileArea::favour(PanelId panel) {
+  fronted_[static_cast<std::size_t>(panel)] = ++front_counter_;
+  fronted_[static_cast<std::size_t>(PanelId::kView)] = ++front_counter_;
 }
 
 void TileArea::bring_to_front(Tile& layout, PanelId panel) {
@@ -259,12 +263,20 @@ void TileArea::draw(Ui& ui, const WorkbenchState& state, const Rect& rect, Tile&
     draw_tile(ui, state, {&single, rect, false}, layout, requests);
     return dragged_.reset();
   }
-  const Placement placement = place(layout, rect, {ui.px(4), ui.px(250), ui.px(160)});
+  const Placement placement = place(layout, rect, {ui.px(4), ui.px(250), ui.px(160), ui.px(420), ui.px(110)});
   for (const std::unique_ptr<Tile>& merged : placement.merged) choose_front(*merged);
   for (std::size_t i = 0; i < placement.tiles.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     draw_tile(ui, state, placement.tiles[i], layout, requests);
     ImGui::PopID();
+  }
+  // What is not in sight is not pointed at.
+  const auto in_sight = [this](const PlacedTile& placed) {
+    return placed.tile->panels[static_cast<std::size_t>(placed.tile->active)] == pointed_;
+  };
+  if (std::none_of(placement.tiles.begin(), placement.tiles.end(), in_sight)) {
+    const Tile& first = *placement.tiles.front().tile;
+    pointed_ = first.panels[static_cast<std::size_t>(first.active)];
   }
   draw_splitters(ui, placement);
   follow_drag(ui, layout, requests);

@@ -23,6 +23,9 @@ class TileArea {
   /// Draws the layout into `rect`, or one panel of it. Moves its bars and fronts; asks for everything else.
   void draw(Ui& ui, const WorkbenchState& state, const Rect& rect, Tile& layout, Requests& requests);
   void bring_to_front(Tile& layout, PanelId panel);
+  /// Where tab groups become one for want of room, it is in front until another is brought there; only the view comes
+  /// before it.
+  void favour(PanelId panel);
   Panel& panel(PanelId which) { return *panels_[static_cast<std::size_t>(which)]; }
 
   /// The panel that the keyboard is in, else that under the pointer, else the last one.

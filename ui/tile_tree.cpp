@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "ui/icons.h"
@@ -41,40 +42,101 @@ void collect_panels(const Tile& tile, std::vector<PanelId>& panels) {
   for (const Tile& child : tile.children) collect_panels(child, panels);
 }
 
+// The picture and what it shows over time stay in sight for as long as there is room for both.
+struct InSight {
+  bool view = false;
+  bool timeline = false;
+  bool any() const { return view || timeline; }
+};
+
+// By what is first in a tab group, so that nothing moves when another of its panels comes to the front.
+InSight in_sight_in(const Tile& tile) {
+  const bool leads = tile.kind == Tile::Kind::kTabs && !tile.panels.empty();
+  InSight found{leads && tile.panels.front() == PanelId::kView, leads && tile.panels.front() == PanelId::kTimeline};
+  for (const Tile& child : tile.children) {
+    const InSight inner = in_sight_in(child);
+    found = {found.view || inner.view, found.timeline || inner.timeline};
+  }
+  return found;
+}
+
+float least_of(const InSight& seen, bool row, const PlaceOptions& options) {
+  if (row) return seen.timeline ? std::max(options.least_timeline_width, options.least_width) : options.least_width;
+  const bool lower = seen.view && !seen.timeline && options.least_in_sight_height > 0.0F;
+  return lower ? options.least_in_sight_height : options.least_height;
+}
+
 struct Group {
   std::vector<Tile*> tiles;  ///< More than one: too little room, they become one tab group.
   float share = 0.0F;
   std::size_t panels = 0;
+  float least = 0.0F;     ///< Pixels.
+  bool in_sight = false;  ///< The first tile keeps its own arrangement, and the others join it as tabs.
 };
 
-std::vector<Group> groups_of(Tile& tile, float room, float gap, float least) {
+// Two groups that become one: `into` < `from`.
+struct Join {
+  std::size_t into = 0;
+  std::size_t from = 0;
+};
+
+// Those of the two groups that have the fewest panels together, of equals those at the end. Groups that stay in sight
+// are stepped over as long as two others are left.
+Join join_of(const std::vector<Group>& groups) {
+  const auto aside = std::count_if(groups.begin(), groups.end(), [](const Group& group) { return !group.in_sight; });
+  std::optional<Join> best;
+  std::size_t fewest = 0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (aside >= 2 && groups[i].in_sight) continue;
+    std::size_t next = i + 1;
+    while (aside >= 2 && next < groups.size() && groups[next].in_sight) ++next;
+    if (next >= groups.size()) break;
+    // The last one aside goes to one that stays in sight before two of those become one.
+    if (aside == 1 && groups[i].in_sight && groups[next].in_sight) continue;
+    const std::size_t both = groups[i].panels + groups[next].panels;
+    if (best && both > fewest) continue;
+    best = Join{i, next};
+    fewest = both;
+  }
+  return *best;
+}
+
+void join(std::vector<Group>& groups, Join which) {
+  Group& into = groups[which.into];
+  Group& from = groups[which.from];
+  // What is put aside gets no more of the room for being two.
+  const bool kept = std::any_of(groups.begin(), groups.end(), [](const Group& group) { return group.in_sight; });
+  const bool aside = kept && !into.in_sight && !from.in_sight;
+  into.share = aside ? std::max(into.share, from.share) : into.share + from.share;
+  into.panels += from.panels;
+  into.least = std::max(into.least, from.least);
+  if (from.in_sight && !into.in_sight) std::swap(into.tiles, from.tiles);
+  // Two that both have to stay in sight and cannot are tabs like any others.
+  into.in_sight = into.in_sight != from.in_sight;
+  into.tiles.insert(into.tiles.end(), from.tiles.begin(), from.tiles.end());
+  groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(which.from));
+}
+
+std::vector<Group> groups_of(Tile& tile, float room, const PlaceOptions& options) {
+  const bool row = tile.kind == Tile::Kind::kRow;
   std::vector<Group> groups;
   for (std::size_t i = 0; i < tile.children.size(); ++i) {
-    if (tile.children[i].hidden) continue;
-    std::vector<PanelId> panels;
-    collect_panels(tile.children[i], panels);
-    groups.push_back({{&tile.children[i]}, tile.shares[i], panels.size()});
+    Tile& child = tile.children[i];
+    if (child.hidden) continue;
+    const InSight seen = in_sight_in(child);
+    groups.push_back({{&child}, tile.shares[i], panels_of(child).size(), least_of(seen, row, options), seen.any()});
   }
-  const auto fits = [&] { return static_cast<float>(groups.size()) * (least + gap) - gap <= room; };
-  while (groups.size() > 1 && !fits()) {
-    // The neighbours that have the fewest panels together; of equals those at the end.
-    std::size_t best = 0;
-    for (std::size_t i = 1; i + 1 < groups.size(); ++i) {
-      const std::size_t both = groups[i].panels + groups[i + 1].panels;
-      if (both <= groups[best].panels + groups[best + 1].panels) best = i;
-    }
-    Group& into = groups[best];
-    const Group& from = groups[best + 1];
-    into.tiles.insert(into.tiles.end(), from.tiles.begin(), from.tiles.end());
-    into.share += from.share;
-    into.panels += from.panels;
-    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(best) + 1);
-  }
+  const auto fits = [&] {
+    float needed = -options.gap;
+    for (const Group& group : groups) needed += options.gap + group.least;
+    return needed <= room;
+  };
+  while (groups.size() > 1 && !fits()) join(groups, join_of(groups));
   return groups;
 }
 
-// What each group gets of `room`: its share, but at least `least`, at the cost of those that have more.
-std::vector<float> sizes_of(const std::vector<Group>& groups, float room, float least) {
+// What each group gets of `room`: its share, but at least its least, at the cost of those that have more.
+std::vector<float> sizes_of(const std::vector<Group>& groups, float room) {
   std::vector<float> sizes(groups.size(), 0.0F);
   std::vector<bool> held(groups.size(), false);
   float left = room;
@@ -85,46 +147,71 @@ std::vector<float> sizes_of(const std::vector<Group>& groups, float room, float 
     for (std::size_t i = 0; i < groups.size(); ++i) {
       if (held[i]) continue;
       sizes[i] = left * groups[i].share / shares;
-      if (sizes[i] >= least || groups.size() == 1) continue;
-      sizes[i] = least;
+      if (sizes[i] >= groups[i].least || groups.size() == 1) continue;
+      sizes[i] = groups[i].least;
       held[i] = again = true;
-      left -= least;
+      left -= groups[i].least;
       break;
     }
   }
   return sizes;
 }
 
-void place_into(Tile& tile, const Rect& rect, const PlaceOptions& options, Placement& out);
-
-void place_group(const Group& group, const Rect& rect, const PlaceOptions& options, Placement& out) {
-  if (group.tiles.size() == 1) return place_into(*group.tiles.front(), rect, options, out);
-  auto merged = std::make_unique<Tile>();
-  for (const Tile* tile : group.tiles) collect_panels(*tile, merged->panels);
-  out.tiles.push_back({merged.get(), rect, true});
-  out.merged.push_back(std::move(merged));
+void place_tabs(std::vector<PanelId> panels, const Rect& rect, Placement& out) {
+  out.merged.push_back(std::make_unique<Tile>(tabs(std::move(panels))));
+  out.tiles.push_back({out.merged.back().get(), rect, true});
 }
 
-void place_into(Tile& tile, const Rect& rect, const PlaceOptions& options, Placement& out) {
+// `joining` are panels of elsewhere that there is no other room for.
+void place_into(Tile& tile, const Rect& rect, const PlaceOptions& options, const std::vector<PanelId>& joining,
+                Placement& out);
+
+void place_group(const Group& group, const Rect& rect, const PlaceOptions& options, const std::vector<PanelId>& joining,
+                 Placement& out) {
+  const bool one = group.in_sight || group.tiles.size() == 1;
+  std::vector<PanelId> others;
+  for (std::size_t i = one ? 1 : 0; i < group.tiles.size(); ++i) collect_panels(*group.tiles[i], others);
+  others.insert(others.end(), joining.begin(), joining.end());
+  if (one) return place_into(*group.tiles.front(), rect, options, others, out);
+  place_tabs(std::move(others), rect, out);
+}
+
+// Beside the timeline rather than over the picture.
+std::size_t joined_group(const std::vector<Group>& groups) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const auto& tiles = groups[i].tiles;
+    const auto has_timeline = [](const Tile* tile) { return find_panel(*tile, PanelId::kTimeline) != nullptr; };
+    if (std::any_of(tiles.begin(), tiles.end(), has_timeline)) return i;
+  }
+  return groups.size() - 1;
+}
+
+void place_into(Tile& tile, const Rect& rect, const PlaceOptions& options, const std::vector<PanelId>& joining,
+                Placement& out) {
   if (tile.kind == Tile::Kind::kTabs) {
-    out.tiles.push_back({&tile, rect, false});
-    return;
+    if (joining.empty()) {
+      out.tiles.push_back({&tile, rect, false});
+      return;
+    }
+    std::vector<PanelId> panels = tile.panels;
+    panels.insert(panels.end(), joining.begin(), joining.end());
+    return place_tabs(std::move(panels), rect, out);
   }
   const bool row = tile.kind == Tile::Kind::kRow;
   const float gap = options.gap;
-  const float least = row ? options.least_width : options.least_height;
   const float whole = row ? rect.width() : rect.height();
-  const std::vector<Group> groups = groups_of(tile, whole, gap, least);
+  const std::vector<Group> groups = groups_of(tile, whole, options);
+  const std::size_t joined = joined_group(groups);
   const auto count = groups.size();
   const auto apart =
       std::count_if(tile.children.begin(), tile.children.end(), [](const Tile& child) { return !child.hidden; });
-  const std::vector<float> sizes = sizes_of(groups, whole - gap * static_cast<float>(count - 1), least);
+  const std::vector<float> sizes = sizes_of(groups, whole - gap * static_cast<float>(count - 1));
   std::vector<float> edges{row ? rect.x0 : rect.y0};
   for (std::size_t i = 0; i < count; ++i) {
     const bool last = i + 1 == count;
     const float end = last ? (row ? rect.x1 : rect.y1) : std::round(edges.back() + sizes[i]);
     const Rect child = row ? Rect{edges.back(), rect.y0, end, rect.y1} : Rect{rect.x0, edges.back(), rect.x1, end};
-    place_group(groups[i], child, options, out);
+    place_group(groups[i], child, options, i == joined ? joining : std::vector<PanelId>{}, out);
     edges.push_back(end + gap);
   }
   if (count < static_cast<std::size_t>(apart)) {
@@ -212,13 +299,19 @@ const char* icon_of(PanelId panel) {
   return kIcons[static_cast<std::size_t>(panel)];
 }
 
+PanelId main_panel(Workspace workspace) {
+  constexpr std::array<PanelId, kWorkspaceCount> kMain{PanelId::kLibrary, PanelId::kTimeline, PanelId::kFields,
+                                                       PanelId::kRollouts};
+  return kMain[static_cast<std::size_t>(workspace)];
+}
+
 std::string_view title(Workspace workspace) {
   return kWorkspaceTitles[static_cast<std::size_t>(workspace)];
 }
 
 Placement place(Tile& root, const Rect& rect, const PlaceOptions& options) {
   Placement placement;
-  place_into(root, rect, options, placement);
+  place_into(root, rect, options, {}, placement);
   return placement;
 }
 

@@ -38,6 +38,8 @@ const char* icon_of(PanelId panel);
 enum class Workspace : std::uint8_t { kLibrary, kAuthor, kFields, kRollouts };
 constexpr std::size_t kWorkspaceCount = 4;
 std::string_view title(Workspace workspace);
+/// What it is there for.
+PanelId main_panel(Workspace workspace);
 
 struct Tile {
   enum class Kind : std::uint8_t { kRow, kColumn, kTabs };
@@ -75,8 +77,12 @@ struct Placement {
 /// All in pixels.
 struct PlaceOptions {
   float gap = 4.0F;
-  float least_width = 0.0F;  ///< Of a tile; neighbours that would get less become one tab group.
+  /// Of a tile; those that would get less become one tab group: first those beside the view and the timeline, which
+  /// are the last to lose their own place. These two count where they are the first of a tab group.
+  float least_width = 0.0F;
   float least_height = 0.0F;
+  float least_timeline_width = 0.0F;   ///< Of what holds the timeline; at least `least_width`.
+  float least_in_sight_height = 0.0F;  ///< Of the view above the timeline; 0: as of the others.
 };
 
 /// Where everything lies when the tree fills `rect`. Pointers are into `root` and into the placement.

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "engine/core/check.h"
-#include "engine/core/file.h"
 #include "engine/exchange/columns.h"
 #include "engine/exchange/row_reader.h"
 #include "engine/exchange/text_lines.h"
@@ -145,10 +144,7 @@ Result<Imported> from_csv(std::string_view text) {
 }
 
 Result<Imported> read_csv(const std::filesystem::path& path) {
-  CsvReader reader;
-  TROCAR_RETURN_IF_ERROR(
-      read_pieces(path, kPiece_bytes, [&reader](std::string_view piece) { return reader.add(piece); }));
-  return reader.finish();
+  return read_file_in_pieces<CsvReader>(path);
 }
 
 }  // namespace trocar::exchange

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "engine/core/check.h"
-#include "engine/core/file.h"
 #include "engine/exchange/columns.h"
 #include "engine/exchange/row_reader.h"
 
@@ -233,10 +232,7 @@ Result<Imported> from_npy(std::string_view bytes) {
 }
 
 Result<Imported> read_npy(const std::filesystem::path& path) {
-  NpyReader reader;
-  TROCAR_RETURN_IF_ERROR(
-      read_pieces(path, kPiece_bytes, [&reader](std::string_view piece) { return reader.add(piece); }));
-  return reader.finish();
+  return read_file_in_pieces<NpyReader>(path);
 }
 
 Result<bool> is_demonstration_npy(std::string_view beginning) {

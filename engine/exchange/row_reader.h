@@ -1,8 +1,11 @@
 /// Gathers rows of numbers into an imported recording, whatever file they come from.
 #pragma once
 
+#include <filesystem>
+#include <string_view>
 #include <vector>
 
+#include "engine/core/file.h"
 #include "engine/exchange/columns.h"
 #include "engine/exchange/imported.h"
 
@@ -24,5 +27,14 @@ class RowReader {
   std::vector<const Column*> order_;
   Imported imported_;
 };
+
+/// What a `Reader` of pieces makes of a file, which is not held in memory. Errors: the reader's; kIo.
+template <typename Reader>
+Result<Imported> read_file_in_pieces(const std::filesystem::path& path) {
+  Reader reader;
+  TROCAR_RETURN_IF_ERROR(
+      read_pieces(path, kPiece_bytes, [&reader](std::string_view piece) { return reader.add(piece); }));
+  return reader.finish();
+}
 
 }  // namespace trocar::exchange

@@ -156,9 +156,11 @@ Requests LibraryPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_no_project(ui, state, requests)) return requests;
   remember(state);
-  const bool wide = ImGui::GetContentRegionAvail().x > ui.px(400);
+  // Cards where a table and its filter would leave no room for rows.
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const bool wide = room.x > ui.px(400) && room.y > ui.px(280);
   // The buttons stay in sight where there is room for them and for a list.
-  const bool tall = ImGui::GetContentRegionAvail().y > ui.px(240);
+  const bool tall = room.y > ui.px(240);
   draw_buttons(ui, state, requests);
   // Measures take time; cards show none.
   if (state.library_on != wide) requests.emplace_back(workbench::Command{workbench::ShowLibrary{wide}});

@@ -260,10 +260,10 @@ void LibraryTable::draw(Ui& ui, const WorkbenchState& state, float height, Reque
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX |
                                      ImGuiTableFlags_Resizable | ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY;
   const int columns = static_cast<int>(kShown.size()) + 1;
+  // No higher than its rows, and its bar for scrolling in sight.
   const float line = ui.px(kLibraryRowHeight + 14);
   const float needed = ui.px(56) + line * static_cast<float>(rows_.size());
-  if (!ImGui::BeginTable("table", columns, kFlags,
-                         {0.0F, std::clamp(needed, 4.0F * line, std::max(height, 4.0F * line))})) {
+  if (!ImGui::BeginTable("table", columns, kFlags, {0.0F, std::min(needed, std::max(height, 3.0F * line))})) {
     return;
   }
   ImGui::TableSetupScrollFreeze(1, 1);

@@ -190,7 +190,7 @@ void RolloutsPanel::draw_controls(Ui& ui, const WorkbenchState& state, Requests&
                         {.help = "How far from the expert's start the agent is put, in cells of the lattice"});
   form_label(ui, "Ghosts");
   changed |= checkbox(ui, "Show", settings.ghosts, {.help = "Draw the paths in the 3-D view"});
-  ImGui::SameLine(0.0F, ui.px(14));
+  flow(ui.px(44) + ImGui::CalcTextSize("300 paths").x, ui.px(14));
   changed |= slider_int(ui, "Ghost count", settings.ghost_count, 1, 300, "%d paths",
                         {.help = "How many of the rollouts are drawn and listed"});
   if (changed && settings != state.rollouts) requests.emplace_back(Command{workbench::SetRollouts{settings}});

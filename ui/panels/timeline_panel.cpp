@@ -87,7 +87,8 @@ void TimelinePanel::draw_speed(Ui& ui, const WorkbenchState& state, const demons
   for (int i = 0; i < 4; ++i) {
     if (kSpeeds[static_cast<std::size_t>(i)] == shown_speed) chosen = i;
   }
-  if (segmented(ui, "Speed", chosen, kNames, {.help = "Play at this speed", .width = width - ui.px(84), .again = true})) {
+  if (segmented(ui, "Speed", chosen, kNames,
+                {.help = "Play at this speed", .width = width - ui.px(84), .again = true})) {
     requests.emplace_back(Command{workbench::Play{kSpeeds[static_cast<std::size_t>(chosen)]}});
   }
   const bool roomy =
@@ -251,9 +252,15 @@ Requests TimelinePanel::draw(Ui& ui, const WorkbenchState& state) {
   fit(state, *shown);
   const bool escaped = escapes(ui);
   if (escaped && state.selection) requests.emplace_back(Command{workbench::SetSelection{}});
-  draw_transport(ui, state, *shown, requests);
+  // Where it is low, the lanes get what room there is: the menus have what the second row has.
+  const bool low = ImGui::GetContentRegionAvail().y < ui.px(170);
   LaneSet lanes = ~LaneSet(time_->hidden_lanes);
-  tools_.draw(ui, state, *shown, lanes, requests);
+  if (low) {
+    tools_.draw_lane_menu(ui, lanes);
+    ImGui::SameLine(0.0F, ui.px(2));
+  }
+  draw_transport(ui, state, *shown, requests);
+  if (!low) tools_.draw(ui, state, *shown, lanes, requests);
   time_->hidden_lanes = static_cast<std::uint32_t>((~lanes).to_ulong());
   lanes_ = lanes;
   ImGui::Dummy({0.0F, ui.px(1)});

@@ -14,10 +14,11 @@ class TimelineTools {
   /// `lanes`: which are shown; changed by the menu.
   void draw(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown, LaneSet& lanes,
             Requests& requests);
+  /// Only the menu of the lanes, where there is no room for the row.
+  void draw_lane_menu(Ui& ui, LaneSet& lanes) const;
 
  private:
   void draw_numbers(Ui& ui, const WorkbenchState& state, const demonstration::Demonstration& shown, Requests& requests);
-  void draw_lane_menu(Ui& ui, LaneSet& lanes) const;
 
   std::optional<workbench::TimeSpan> written_;  ///< The selection that the fields say.
   std::string from_;

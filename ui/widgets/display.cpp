@@ -109,8 +109,9 @@ void fact(Ui& ui, std::string_view name, std::string_view value) {
 void form_label(Ui& ui, std::string_view name) {
   const float left = ImGui::GetCursorPosX();
   const float room = ImGui::GetContentRegionAvail().x;
-  const float column = std::min(ui.px(112), 0.4F * room);
-  const bool above = room < ui.px(260) || ImGui::CalcTextSize(name.data(), name.data() + name.size()).x > column;
+  const float column = std::min(ui.px(122), 0.4F * room);
+  const float words = ImGui::CalcTextSize(name.data(), name.data() + name.size()).x;
+  const bool above = room < ui.px(260) || words + ui.px(6) > column;
   if (!above) ImGui::AlignTextToFramePadding();
   {
     const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);

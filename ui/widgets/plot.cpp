@@ -15,6 +15,7 @@ namespace {
 constexpr float kLeft = 78.0F;  // As the timeline's names, so that a time stays where it is; all at 100 %.
 constexpr float kRight = 10.0F;
 constexpr float kLegend = 18.0F;
+constexpr float kBelow = 7.0F;  // Half of the lowest value's height, where no times follow.
 constexpr float kTimes = 17.0F;
 constexpr float kLeastArea = 44.0F;
 
@@ -44,7 +45,7 @@ std::string read_out(const PlotSpec& spec) {
 }
 
 PlotArea area_of(const Ui& ui, const PlotSpec& spec, const Rect& rect) {
-  const float below = spec.time_axis ? ui.px(kTimes) : ui.px(4);
+  const float below = spec.time_axis ? ui.px(kTimes) : ui.px(kBelow);
   return {{rect.x0 + ui.px(kLeft), rect.y0 + ui.px(kLegend), rect.x1 - ui.px(kRight), rect.y1 - below},
           spec.begin_s,
           spec.end_s,
@@ -74,7 +75,7 @@ void draw_legend(const Ui& ui, const PlotSpec& spec, const Rect& rect) {
     const float stroke = ui.px(24);
     // Room for a few digits more, so that entries do not wander while the cursor moves.
     const float width = std::max(size_of(words).x, size_of(line.name + " −0000.0").x);
-    if (x + stroke + ui.px(6) + size_of(words).x > rect.x1) return;
+    if (x + stroke + ui.px(6) + size_of(words).x > rect.x1 - ui.px(kRight)) return;
     draw_sample(ui, line, x, x + stroke, std::round(middle));
     write({x + stroke + ui.px(6), y}, line.style == LineStyle::kGhost ? ui.theme().text_dim : ui.theme().text, words);
     x += stroke + ui.px(6) + width + ui.px(12);
@@ -225,7 +226,7 @@ void take_mouse(Ui& ui, const PlotSpec& spec, const PlotArea& area, bool hovered
 }  // namespace
 
 float least_plot_height(const Ui& ui, bool time_axis) {
-  return ui.px(kLegend) + ui.px(kLeastArea) + (time_axis ? ui.px(kTimes) : ui.px(4));
+  return ui.px(kLegend) + ui.px(kLeastArea) + (time_axis ? ui.px(kTimes) : ui.px(kBelow));
 }
 
 Rgba arm_colour(const Theme& theme, int arm) {

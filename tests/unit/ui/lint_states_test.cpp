@@ -28,6 +28,13 @@ ThemeKind any_theme(float scale) {
   return kThemeKinds[static_cast<std::size_t>(scale) % kThemeKinds.size()];
 }
 
+/// With a span selected, on which an edit or a take can begin.
+struct SpanDesk : Desk {
+  explicit SpanDesk(float scale) : Desk(testing::made_state(), scale, any_theme(scale)) {
+    state.selection = workbench::TimeSpan{2.0, 3.0};
+  }
+};
+
 std::vector<std::string> titles_of_edits() {
   std::vector<std::string> titles;
   demonstration::for_each_edit([&](const auto* edit) {
@@ -41,8 +48,7 @@ std::vector<std::string> titles_of_edits() {
 TEST_CASE("the form of every edit is whole, named and large enough at every scale") {
   for (const float scale : kLintedScales) {
     CAPTURE(scale);
-    Desk desk(testing::made_state(), scale, any_theme(scale));
-    desk.state.selection = workbench::TimeSpan{2.0, 3.0};
+    SpanDesk desk(scale);
     Driver driver = desk.driver();
     CHECK(driver.key("Ctrl+2"));
     CHECK(driver.frames(3));
@@ -86,8 +92,7 @@ TEST_CASE("so is the window from the countdown to the verdict") {
 TEST_CASE("so is the record form in each of its choices, and its button stays in sight") {
   for (const float scale : kLintedScales) {
     CAPTURE(scale);
-    Desk desk(testing::made_state(), scale, any_theme(scale));
-    desk.state.selection = workbench::TimeSpan{2.0, 3.0};
+    SpanDesk desk(scale);
     Driver driver = desk.driver();
     CHECK(driver.key("Shift+R"));
     CHECK(driver.frames(6));

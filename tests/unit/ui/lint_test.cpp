@@ -250,6 +250,8 @@ TEST_CASE("a long sentence in the status line ends before the last command, at e
     CAPTURE(scale);
     Desk desk(testing::made_state(), scale);
     Driver driver = desk.driver();
+    CHECK(text_of(driver.click("Tabs/Library")) == "");
+    CHECK(driver.frames(2));
     CHECK(text_of(driver.click("Library/Trim idle")) == "");
     desk.state.done = std::string(300, 'm');
     CHECK(driver.frames(3));

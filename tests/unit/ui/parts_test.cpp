@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 
 #include "engine/core/file.h"
 #include "tests/support/scratch_folder.h"
@@ -115,6 +116,34 @@ TEST_CASE("tiles keep their least size, and neighbours without room for it becom
       }
       CHECK(panels == kPanelCount);  // none is lost
       CHECK(placement.merged.empty() == (window.width() > 760.0F));
+    }
+  }
+}
+
+TEST_CASE("with little room the panels at the sides become tabs, and view and timeline stay in sight") {
+  const PlaceOptions options{4.0F, 250.0F, 160.0F, 420.0F, 110.0F};
+  // A window of 1280 by 800 at 200 % and at 150 %, without its bars.
+  for (const Rect window : {Rect{0, 0, 640, 296}, Rect{0, 0, 853, 425}}) {
+    for (const Workspace workspace : {Workspace::kAuthor, Workspace::kFields, Workspace::kRollouts}) {
+      Tile root = default_layout(workspace);
+      const Placement placement = place(root, window, options);
+      std::optional<Rect> view;
+      std::optional<Rect> timeline;
+      std::size_t panels = 0;
+      for (const PlacedTile& placed : placement.tiles) {
+        panels += placed.tile->panels.size();
+        if (placed.tile->panels.front() == PanelId::kView) view = placed.rect;
+        if (placed.tile->panels.front() == PanelId::kTimeline) timeline = placed.rect;
+      }
+      CHECK(panels == kPanelCount);
+      REQUIRE(view);
+      REQUIRE(timeline);
+      CHECK(view->y1 <= timeline->y0);
+      CHECK(view->height() >= 110.0F);
+      CHECK(timeline->height() >= 159.0F);
+      CHECK(timeline->width() >= 420.0F);
+      // All that was at the sides is one tab group beside them, or joins the timeline where even that has no room.
+      CHECK(placement.tiles.size() == (window.width() > 700.0F ? 3 : 2));
     }
   }
 }
