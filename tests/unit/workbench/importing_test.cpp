@@ -132,7 +132,8 @@ TEST_CASE("times that jitter and gaps as short as the checks count them are said
     }
     CHECK(write_file(folder / "hand.csv", text));
     std::string all;
-    for (const std::string& each : looked_at(settings_of(folder / "hand.csv"))->parts.at(0).found) all += each + "\n";
+    const auto view = looked_at(settings_of(folder / "hand.csv"));
+    for (const std::string& each : view->parts.at(0).found) all += each + "\n";
     return all;
   };
   const std::string even = found_in(30.0, 0.0, -1);
