@@ -12,8 +12,6 @@ using State = WorkbenchState;
 using demonstration::Arms;
 
 constexpr std::string_view kContext = "tool in hand";
-/// The same key stops what plays.
-constexpr std::string_view kAtRest = "playhead at rest";
 /// One cell of the agent's lattice (paper, Table I), and a fine step.
 constexpr double kCell_m = 0.0025;
 constexpr double kFine_m = 0.0005;
@@ -160,11 +158,10 @@ constexpr std::array<RowData, 20> kToolRows{{
      "Insert waypoint",
      "Keep an instant to displace the tool at, where the playhead is",
      icon::kPlus,
-     {"K"},
+     {"Shift+K"},
      false,
      cannot_insert,
-     insert,
-     kAtRest},
+     insert},
     nudge_row("tool.nudge_x", "Nudge +x", kOneCell, "Ctrl+Right", true, nudge<0, 1, false>),
     nudge_row("tool.nudge_minus_x", "Nudge −x", kOneCell, "Ctrl+Left", false, nudge<0, -1, false>),
     nudge_row("tool.nudge_y", "Nudge +y", kOneCell, "Ctrl+Up", false, nudge<1, 1, false>),

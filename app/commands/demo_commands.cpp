@@ -29,7 +29,7 @@ std::vector<demonstration::SegmentSpan> gated_segments(const demonstration::Demo
   for (demonstration::SegmentSpan span : document.segments) {
     span.begin_s = std::max(span.begin_s, document.begin_s);
     span.end_s = std::min(span.end_s, document.end_s);
-    if (span.begin_s < span.end_s) spans.push_back(span);
+    if (span.begin_s + demonstration::kTimeTolerance_s < span.end_s) spans.push_back(span);
   }
   return spans;
 }
@@ -67,7 +67,6 @@ Json demonstration_json(const demonstration::Demonstration& document) {
   const demonstration::RecordingInfo& recording = *document.recording;
   const std::size_t samples = document.gated().size();
   const double duration_s = document.duration_s();
-  const double step_s = Tick{demonstration::usual_step(document.gated())}.seconds();
   Json segments = Json::array();
   for (const demonstration::SegmentSpan& span : gated_segments(document)) {
     segments.push_back({{"label", std::string(1, demonstration::letter(span.label))},
@@ -80,7 +79,7 @@ Json demonstration_json(const demonstration::Demonstration& document) {
           {"begin_s", document.begin_s},
           {"end_s", document.end_s},
           {"samples", samples},
-          {"rate_hz", step_s > 0.0 ? 1.0 / step_s : 0.0},
+          {"rate_hz", samples > 1 ? demonstration::usual_rate_hz(document.gated()) : 0.0},
           {"segments", segments},
           {"path_length_m", demonstration::path_length_m(document, 0)},
           {"outcome", demonstration::to_string(document.outcome())},

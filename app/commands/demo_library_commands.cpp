@@ -322,12 +322,31 @@ Result<std::vector<workbench::DemonstrationId>> chosen_by(const BatchArguments& 
   return ids;
 }
 
-Result<Answer> run_batch(const BatchArguments& arguments, Console& console) {
-  TROCAR_RETURN_IF_ERROR(workbench::act_from_words(arguments.words));
+/// A bridge by policy may name its model, as for `trocar demo edit`. Errors: those of `find_model`.
+Status with_model_id(std::vector<std::string>& words, const workbench::Project& project) {
+  constexpr std::string_view kOption = "--model";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool joined = words[i].starts_with(std::string(kOption) + "=");
+    if (!joined && (words[i] != kOption || i + 1 == words.size())) continue;
+    const std::string text = joined ? words[i].substr(kOption.size() + 1) : words[i + 1];
+    if (text.empty() || text == "0") continue;
+    TROCAR_ASSIGN_OR_RETURN(const auto found, find_model(project, text));
+    (joined ? words[i] : words[i + 1]) = (joined ? "--model=" : "") + std::to_string(found->id.value);
+  }
+  return {};
+}
+
+Result<Answer> run_batch(const BatchArguments& typed, Console& console) {
+  BatchArguments arguments = typed;
+  // Models are large; only bridges that go as one of them would need them.
+  const bool policy = std::any_of(arguments.words.begin(), arguments.words.end(),
+                                  [](const std::string& word) { return word == "policy" || word == "--shape=policy"; });
+  if (!policy) TROCAR_RETURN_IF_ERROR(workbench::act_from_words(arguments.words));
   const auto purpose =
       arguments.dry_run ? workbench::ProjectFile::Purpose::kRead : workbench::ProjectFile::Purpose::kEdit;
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
-                          open_project(arguments.project, console, purpose, Models::kDescribed));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_project(arguments.project, console, purpose,
+                                                                    policy ? Models::kWhole : Models::kDescribed));
+  if (policy) TROCAR_RETURN_IF_ERROR(with_model_id(arguments.words, *file.project()));
   TROCAR_ASSIGN_OR_RETURN(auto ids, chosen_by(arguments, file, console));
   const auto plan = workbench::plan_batch({file.project(), std::move(ids), arguments.words}, console.progress());
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/demonstration/motion.h"
+#include "engine/demonstration/sampling_rate.h"
 
 namespace trocar::demonstration {
 namespace {
@@ -32,8 +33,17 @@ class Deviation {
   long count_ = 0;
 };
 
+/// How far a tip is from the way that it took between `low` and `high`.
+double off_way_m(const Sample& sample, const Sample& low, const Sample& high, std::size_t arm) {
+  const double share = static_cast<double>(sample.tick - low.tick) / static_cast<double>(high.tick - low.tick);
+  const Eigen::Vector3d way = measured_tip(low, arm) + share * (measured_tip(high, arm) - measured_tip(low, arm));
+  return (measured_tip(sample, arm) - way).norm();
+}
+
+/// A sample that has no counterpart lies on the way between its neighbours or not, unless that is a gap.
 void match_ticks(const SampleTrack& before, const SampleTrack& after, Difference& difference) {
   Deviation deviation;
+  const std::int64_t longest = 2 * usual_step(before);
   std::size_t i = 0;
   std::size_t j = 0;
   while (i < before.size() || j < after.size()) {
@@ -42,6 +52,13 @@ void match_ticks(const SampleTrack& before, const SampleTrack& after, Difference
       ++i;
     } else if (i == before.size() || after[j].tick < before[i].tick) {
       ++difference.added;
+      const bool between = i > 0 && i < before.size() && before.tick(i) - before.tick(i - 1) < longest;
+      if (between) {
+        const Sample low = before[i - 1];
+        const Sample high = before[i];
+        const Sample sample = after[j];
+        deviation.add(off_way_m(sample, low, high, 0), off_way_m(sample, low, high, 1));
+      }
       ++j;
     } else {
       deviation.add((measured_tip(after[j], 0) - measured_tip(before[i], 0)).norm(),

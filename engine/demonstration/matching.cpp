@@ -6,6 +6,7 @@
 
 #include "engine/demonstration/comparison.h"
 #include "engine/demonstration/motion.h"
+#include "engine/demonstration/sampling_rate.h"
 #include "engine/demonstration/time_warping.h"
 
 namespace trocar::demonstration {
@@ -56,13 +57,26 @@ Match pair(const TimedPath& before, std::size_t i, const TimedPath& after, std::
   return {after.t_s[j], {before.t_s[i], before.t_s[i]}, after.tips[j], before.tips[i]};
 }
 
-std::vector<Match> by_tick(const TimedPath& before, const TimedPath& after) {
+/// Versions of one recording. An instant that one of them has no sample of is compared with the way between its
+/// neighbours, unless they are `gap` ticks apart or more.
+std::vector<Match> by_tick(const TimedPath& before, const TimedPath& after, std::int64_t gap) {
   std::vector<Match> matches;
-  for (std::size_t i = 0, j = 0; i < before.size() && j < after.size();) {
-    if (before.ticks[i] == after.ticks[j]) matches.push_back(pair(before, i, after, j));
-    const bool step = before.ticks[i] <= after.ticks[j];
-    j += before.ticks[i] >= after.ticks[j] ? 1 : 0;
-    i += step ? 1 : 0;
+  for (std::size_t i = 0, j = 0; j < after.size(); ++j) {
+    while (i < before.size() && before.ticks[i] < after.ticks[j]) ++i;
+    if (i == before.size()) break;
+    if (before.ticks[i] == after.ticks[j]) {
+      matches.push_back(pair(before, i, after, j));
+      continue;
+    }
+    if (i == 0 || before.ticks[i] - before.ticks[i - 1] >= gap) continue;
+    const double share = static_cast<double>(after.ticks[j] - before.ticks[i - 1]) /
+                         static_cast<double>(before.ticks[i] - before.ticks[i - 1]);
+    const double before_s = before.t_s[i - 1] + share * (before.t_s[i] - before.t_s[i - 1]);
+    Match match{after.t_s[j], {before_s, before_s}, after.tips[j], before.tips[i - 1]};
+    for (std::size_t arm = 0; arm < 2; ++arm) {
+      match.p_before[arm] += share * (before.tips[i][arm] - before.tips[i - 1][arm]);
+    }
+    matches.push_back(std::move(match));
   }
   return matches;
 }
@@ -182,7 +196,7 @@ Result<std::vector<Match>> match(const Demonstration& before, const Demonstratio
   }
   switch (alignment) {
     case Alignment::kTime:
-      if (of_one_recording(before, after)) return by_tick(from, to);
+      if (of_one_recording(before, after)) return by_tick(from, to, 2 * usual_step(before.gated()));
       break;
     case Alignment::kArcLength:
       return by_arc(from, to);

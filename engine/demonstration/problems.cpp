@@ -134,12 +134,17 @@ void check_motion(const Demonstration& document, const MotionBounds& bounds, Pro
   }
 }
 
+/// More of it than rounding lies between the gates.
+bool is_shown(const SegmentSpan& span, const Demonstration& document) {
+  return span.end_s > document.begin_s + kTimeTolerance_s && span.begin_s < document.end_s - kTimeTolerance_s;
+}
+
 /// A transfer goes from A to E once.
 void check_order(const Demonstration& document, Problems& found) {
   std::array<bool, kSegmentCount> seen{};
   std::optional<Segment> before;
   for (const SegmentSpan& span : document.segments) {
-    if (span.end_s <= document.begin_s || span.begin_s >= document.end_s) continue;
+    if (!is_shown(span, document)) continue;
     const auto report = [&](Severity severity, std::string message) {
       found.push_back({ProblemKind::kSegments, severity, span.begin_s, span.end_s, std::move(message), ""});
     };
@@ -171,7 +176,7 @@ void check_segments(const Demonstration& document, Problems& found) {
                      fmt::format("{:.2f} s belong to no segment", t_s - covered_s), ""});
   };
   for (const SegmentSpan& span : document.segments) {
-    if (span.end_s <= document.begin_s || span.begin_s >= document.end_s) continue;
+    if (!is_shown(span, document)) continue;
     report_until(span.begin_s);
     covered_s = std::max(covered_s, span.end_s);
   }

@@ -42,18 +42,24 @@ double usual_rate_hz(const SampleTrack& samples) {
   const std::int64_t usual = usual_step(samples);
   std::int64_t count = 0;
   std::int64_t ticks = 0;
+  // Stamps that jitter are early and late by turns: all steps but gaps and those of another rate tell, not the middle
+  // ones alone.
+  const std::int64_t reach = std::max<std::int64_t>(usual / 2, 1);
+  std::int64_t farthest = 1;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const std::int64_t step = samples.tick(i) - samples.tick(i - 1);
-    if (std::abs(step - usual) > 1) continue;
+    if (std::abs(step - usual) > reach) continue;
+    farthest = std::max(farthest, std::abs(step - usual));
     ++count;
     ticks += step;
   }
   const auto per_second = static_cast<double>(Tick::kPerSecond);
   const double rate_hz = per_second * static_cast<double>(count) / static_cast<double>(ticks);
-  // A whole number of them a second, if both ends of the run rounded to whole ticks can be that.
+  // A whole number of them a second, if both ends of the run, rounded to whole ticks or as far off as steps are, can be
+  // that.
   const double whole_hz = std::max(std::round(rate_hz), 1.0);
   const double off = std::abs(per_second * static_cast<double>(count) / whole_hz - static_cast<double>(ticks));
-  return off <= 1.0 ? whole_hz : rate_hz;
+  return off <= static_cast<double>(farthest) ? whole_hz : rate_hz;
 }
 
 std::int64_t step_between(const SampleTrack& samples, std::size_t before, std::size_t after) {

@@ -21,29 +21,37 @@ using demonstration::SampleTrack;
 
 constexpr std::array<const char*, 2> kArms{"left", "right"};
 
-double usual_step_s(const SampleTrack& samples) {
+std::vector<std::int64_t> steps_of(const SampleTrack& samples) {
   std::vector<std::int64_t> steps;
   steps.reserve(samples.size());
   for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples.tick(i) - samples.tick(i - 1));
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return Tick{*middle}.seconds();
+  return steps;
 }
 
-/// "2 gaps, the longest 0.60 s at 3.20 s"; empty if there is none. Gaps are those of the list of problems.
+/// "2 gaps, the longest 0.60 s at 3.20 s"; empty if there is none. What the checks call a gap.
 std::string gaps(const SampleTrack& samples) {
   const std::vector<demonstration::SampleGap> found = demonstration::sample_gaps(samples);
-  double longest_s = 0.0;
-  double at_s = 0.0;
-  for (const demonstration::SampleGap& gap : found) {
-    const double gap_s = Tick{samples.tick(gap.after)}.seconds() - Tick{samples.tick(gap.after - 1)}.seconds();
-    if (gap_s <= longest_s) continue;
-    longest_s = gap_s;
-    at_s = Tick{samples.tick(gap.after - 1)}.seconds() - Tick{samples.tick(0)}.seconds();
-  }
   if (found.empty()) return "";
+  const auto length = [&](const demonstration::SampleGap& gap) {
+    return samples.tick(gap.after) - samples.tick(gap.after - 1);
+  };
+  const auto longest = std::max_element(
+      found.begin(), found.end(), [&](const auto& one, const auto& other) { return length(one) < length(other); });
   return fmt::format("{} {}, the longest {:.2f} s at {:.2f} s", found.size(), found.size() == 1 ? "gap" : "gaps",
-                     longest_s, at_s);
+                     Tick{length(*longest)}.seconds(),
+                     Tick{samples.tick(longest->after - 1) - samples.tick(0)}.seconds());
+}
+
+/// "samples come unevenly: 9 of 10 are 31 to 36 ms after the one before"; empty where whole milliseconds explain it.
+std::string unevenness(const SampleTrack& samples) {
+  constexpr std::int64_t kByRounding = 2;
+  std::vector<std::int64_t> steps = steps_of(samples);
+  std::sort(steps.begin(), steps.end());
+  const std::int64_t low = steps[steps.size() / 20];
+  const std::int64_t high = steps[steps.size() - 1 - steps.size() / 20];
+  if (high - low <= kByRounding) return "";
+  return fmt::format("samples come unevenly: 9 of 10 are {:.0f} to {:.0f} ms after the one before",
+                     1e3 * Tick{low}.seconds(), 1e3 * Tick{high}.seconds());
 }
 
 int sign_changes(const SampleTrack& samples, std::size_t arm) {
@@ -117,11 +125,11 @@ std::string idle(const demonstration::Demonstration& document) {
 
 std::vector<std::string> findings(const demonstration::Demonstration& document, const spatial::Grid& grid) {
   const SampleTrack samples = document.gated();
-  const double step_s = usual_step_s(samples);
-  std::vector<std::string> found{fmt::format("{:.0f} samples a second", 1.0 / step_s)};
+  std::vector<std::string> found{fmt::format("{:.6g} samples a second", demonstration::usual_rate_hz(samples))};
   const auto add = [&](std::string sentence) {
     if (!sentence.empty()) found.push_back(std::move(sentence));
   };
+  add(unevenness(samples));
   add(gaps(samples));
   add(idle(document));
   for (std::size_t arm = 0; arm < 2; ++arm) {

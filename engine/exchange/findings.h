@@ -9,8 +9,9 @@
 
 namespace trocar::exchange {
 
-/// One sentence each, the sample rate first: gaps, stretches in which nothing moves, quaternions that change sign
-/// from one sample to the next, jumps, motion outside of the learning lattice.
+/// One sentence each, the sample rate first: uneven times, gaps as the checks count them, stretches in which nothing
+/// moves, quaternions that change sign from one sample to the next, jumps, motion outside of the learning lattice.
+/// Precondition: at least 2 samples.
 std::vector<std::string> findings(const demonstration::Demonstration& document, const spatial::Grid& grid);
 
 }  // namespace trocar::exchange

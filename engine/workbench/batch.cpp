@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "engine/demonstration/edit_words.h"
+#include "engine/workbench/policy_bridge.h"
 
 namespace trocar::workbench {
 namespace {
@@ -101,6 +102,7 @@ demonstration::Edit over_all(demonstration::Edit edit, const Demonstration& docu
 struct Planner {
   const Demonstration& document;
   const Marks& marks;
+  const Project& project;
 
   Planned operator()(const Removal&) const {
     return {{document.id, document.name, "to the trash", ""}, RemoveDemonstration{document.id}};
@@ -118,8 +120,14 @@ struct Planner {
     return planned;
   }
   Planned operator()(const demonstration::Edit& given) const {
-    const demonstration::Edit edit = over_all(given, document);
     Planned planned{{document.id, document.name, "", ""}, {}};
+    // Each has its own way by a policy, which the step of the history then holds.
+    const Result<demonstration::Edit> whole = with_ways(over_all(given, document), document.id, 0, project);
+    if (!whole) {
+      planned.line.problem = whole.error().text();
+      return planned;
+    }
+    const demonstration::Edit& edit = *whole;
     const Result<Demonstration> after = demonstration::apply(document, edit, 0);
     if (!after) {
       planned.line.problem = after.error().text();
@@ -198,7 +206,7 @@ std::shared_ptr<const BatchPlan> plan_batch(const BatchRequest& request, Progres
       plan->lines.push_back({id, fmt::format("demonstration {}", id.value), "", "it is not in the project"});
       continue;
     }
-    Planned planned = std::visit(Planner{*found->second, request.project->marks_of(id)}, *act);
+    Planned planned = std::visit(Planner{*found->second, request.project->marks_of(id), *request.project}, *act);
     if (planned.edit) plan->edit.edits.push_back(std::move(*planned.edit));
     plan->lines.push_back(std::move(planned.line));
     progress.set(static_cast<double>(plan->lines.size()) / count);

@@ -56,7 +56,7 @@ void Workbench::Impl::on(const MakeImport&) {
                        return {};
                      }};
   };
-  jobs.start("Import " + name, work);
+  importing = jobs.start("Import " + name, work);
   on(EndImport{});
 }
 

@@ -128,6 +128,8 @@ struct Workbench::Impl {
   Status keep_model(const std::shared_ptr<ProjectFile>& owner, const std::shared_ptr<const ModelEntry>& entry);
   void follow_filmstrip();
   void poll_recording();
+  /// A take can begin: a project is open, none goes on, and nothing is on its way into the document; else it is said.
+  bool can_record();
   /// How much room is left where the project is, now and then.
   void look_at_disk();
   /// What the SpaceMouse does to the tools, if it drives.
@@ -169,6 +171,7 @@ struct Workbench::Impl {
   std::vector<std::int64_t> sketches_wanted;  ///< By falling id; those that are there already are gone.
   double last_poll_s = 0.0;
   bool dirty = false;
+  JobId importing;    // the last import that was asked for
   JobRunner jobs;     // their threads end first
   JobRunner opening;  // a project opens at once, whatever else runs
   JobRunner reading;  // so does a file that is to be imported

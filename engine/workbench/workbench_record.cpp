@@ -1,4 +1,5 @@
 // Recording: what a script or a person drives live.
+#include <algorithm>
 #include <utility>
 
 #include "engine/workbench/take_plan.h"
@@ -6,9 +7,22 @@
 
 namespace trocar::workbench {
 
+bool Workbench::Impl::can_record() {
+  if (!project_open()) return false;
+  const auto& views = jobs.jobs();
+  const bool imports = std::any_of(views.begin(), views.end(), [this](const JobView& job) {
+    return job.id == importing && (job.state == JobState::kQueued || job.state == JobState::kRunning);
+  });
+  std::string why;
+  if (editing.busy() || !waiting_writes.empty()) why = "An edit is still being made; record when it is done";
+  if (imports) why = "A file is still being imported; record when it is there";
+  if (recording) why = "A recording is running already";
+  if (!why.empty()) log(Severity::kWarning, why);
+  return why.empty();
+}
+
 void Workbench::Impl::on(const RecordScripted& command) {
-  if (!project_open()) return;
-  if (recording) return log(Severity::kWarning, "A recording is running already");
+  if (!can_record()) return;
   auto started = LiveRecording::start(*file, command);
   if (!started) return log(Severity::kError, started.error().text());
   recording = std::move(*started);
@@ -21,8 +35,7 @@ void Workbench::Impl::on(const StopRecording& command) {
 }
 
 void Workbench::Impl::on(const RecordByHand& command) {
-  if (!project_open()) return;
-  if (recording) return log(Severity::kWarning, "A recording is running already");
+  if (!can_record()) return;
   state.last_take = command;
   RecordByHand request = command;
   if (request.space_mouse) on(FindDevices{});

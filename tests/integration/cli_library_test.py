@@ -56,6 +56,21 @@ class LibraryTest(CommandLineTest):
         self.refused("demo", "batch", project, "flag", "bad", code=USAGE, saying="--filter")
         self.refused("demo", "batch", project, "--filter", "x", "melt", code=USAGE, saying="melt")
 
+    def test_a_batch_of_bridges_by_policy_finds_its_way_as_a_single_one_does(self):
+        project = self.recorded_project()
+        words = ("bridge", "--from", 1.0, "--to", 3.0, "--arms", "left", "--shape", "policy")
+        single = trocar("demo", "edit", project, "Expert", *words, "--model", "A exact")
+        self.assertEqual(single.returncode, DONE, single.stderr)
+        alone = self.answer("demo", "show", project, "Expert")["hash"]
+        self.answer("undo", project)
+        for model in ((), ("--model", "A exact"), ("--model=2",)):
+            with self.subTest(model):
+                done = self.batch(project, "--demo", "Expert", "--", *words, *model)
+                self.assertEqual(done["changed"], 1, done)
+                self.assertEqual(self.answer("demo", "show", project, "Expert")["hash"], alone)
+                self.answer("undo", project)
+        self.refused("demo", "batch", project, "--demo", "Expert", "--", *words, "--model", "B exact", code=USAGE, saying="B exact")
+
     def test_marks_stay_and_undo_takes_them_back(self):
         project = self.recorded_project()
         before = self.answer("info", project)["hash"]

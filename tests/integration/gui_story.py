@@ -4,11 +4,13 @@ Usage: gui_story.py mouse | keys | kill | pictures_dark | pictures_light
 By mouse it begins with the import of a table, by keys with a take that is recorded by keys. The pictures of the stations
 are compared with tests/golden/story (TROCAR_COMPARE names the program for it); TROCAR_BLESS=1 writes them anew.
 """
+import bisect
 import csv
 import json
 import math
 import os
 import pathlib
+import random
 import shutil
 import signal
 import subprocess
@@ -21,24 +23,64 @@ from cli_support import DONE, TROCAR, CommandLineTest, trocar
 TESTS = pathlib.Path(__file__).resolve().parent.parent
 COMPARE = os.path.abspath(os.environ.get("TROCAR_COMPARE", "build/release/bin/compare_pictures"))
 PATIENCE_S = 300
+ARMS = ("left", "right")
+# What the import says of the table; the frame that comes twice is on a line of its own.
+FOUND_TWICE = 403
+FOUND = ("30 samples a second", "samples come unevenly: 9 of 10 are 30 to 37 ms after the one before",
+         "1 gap, the longest 0.43 s at 23.97 s", "neither tool moves in", "the left tool's quaternion changes sign 7 times",
+         "the right tool's quaternion changes sign 7 times",
+         f"1 row is left out, the first is line {FOUND_TWICE}: the time is that of the row before",
+         "times count from the first sample, in whole milliseconds")
 # Every kind of edit that the job needs.
 NEEDED = ("trim-idle", "delete", "bridge", "move", "label", "snap")
 
 
+# What a camera's clock and a person do to a recording, in seconds of the table.
+FRAME_S = 1 / 30
+JITTER_S = 0.0015
+WAITS_S = 2.0
+HESITATES_AT_S, HESITATES_FOR_S = 5.2, 0.6
+LOST_S = (24.0, 24.37)
+FLIPPED_FRAMES = 130
+TWICE = 400
+
+
+def expert_time(stamp_s):
+    """When in the expert's motion a frame is taken: it waits before it begins, and hesitates once."""
+    moving_s = min(stamp_s, HESITATES_AT_S) + max(stamp_s - HESITATES_AT_S - HESITATES_FOR_S, 0.0)
+    return max(moving_s - WAITS_S, 0.0)
+
+
+def hard_frames(rows):
+    """(stamp, row, signs of the quaternions) as a 30 Hz tracker writes them: stamps that jitter, frames that are lost, one
+    that comes twice, and quaternions that change sign, each arm's at other times."""
+    jitter = random.Random(1)
+    times = [float(row["t_s"]) for row in rows]
+    for frame in range(int((times[-1] + WAITS_S + HESITATES_FOR_S) / FRAME_S)):
+        stamp = max(frame * FRAME_S + min(max(jitter.gauss(0.0, JITTER_S), -2 * JITTER_S), 2 * JITTER_S), 0.0)
+        if LOST_S[0] < stamp < LOST_S[1]:
+            continue
+        row = rows[bisect.bisect_left(times, expert_time(stamp))]
+        flipped = frame // FLIPPED_FRAMES % 2 == 1
+        taken = (stamp, row, {"left": -1 if flipped else 1, "right": 1 if flipped else -1})
+        yield taken
+        if frame == TWICE:
+            yield taken
+
+
 def write_table(exported, path):
-    """A table of another program, from one of ours: fewer columns, other names and units, every second sample."""
+    """A table of another program, from one of ours: fewer columns, other names and units, and hard as real ones are."""
     with open(exported, newline="") as rows, open(path, "w", newline="") as out:
         table = csv.writer(out)
-        arms = ("left", "right")
         head = ["time_s"]
-        for arm in arms:
+        for arm in ARMS:
             head += [f"{arm}_{axis}_mm" for axis in "xyz"] + [f"{arm}_q{axis}" for axis in "xyzw"] + [f"{arm}_gripper_deg"]
         table.writerow(head)
-        for row in list(csv.DictReader(rows))[::2]:
-            values = [f"{float(row['t_s']):.3f}"]
-            for arm in arms:
+        for stamp, row, signs in hard_frames(list(csv.DictReader(rows))):
+            values = [f"{stamp:.4f}"]
+            for arm in ARMS:
                 values += [f"{1000 * float(row[f'{arm}_measured_{axis}_m']):.4f}" for axis in "xyz"]
-                values += [f"{float(row[f'{arm}_measured_q_{axis}']):.6f}" for axis in "xyzw"]
+                values += [f"{signs[arm] * float(row[f'{arm}_measured_q_{axis}']):.6f}" for axis in "xyzw"]
                 values.append(f"{math.degrees(float(row[f'{arm}_jaw_rad'])):.3f}")
             table.writerow(values)
 
@@ -90,7 +132,41 @@ class Story(CommandLineTest):
         self.assertEqual(self.hash(project), authored)
 
     def test_mouse(self):
-        self.author(*self.prepare_import(), "Table")
+        project, script = self.prepare_import()
+        self.told_by_import(project)
+        self.author(project, script, "Table")
+
+    def told_by_import(self, project):
+        """What is hard about the table is said before anything is done; what is imported is the table as it stands."""
+        before = self.hash(project)
+        table = self.folder / "table.csv"
+        dry = self.answer("demo", "import", project, table, "--dry-run")
+        self.assertEqual(self.hash(project), before)
+        found = " | ".join(dry["found"])
+        for words in FOUND:
+            self.assertIn(words, found)
+        self.assertEqual(dry["errors"], 1)  # The gap.
+        copy = self.folder / "copy.trocar"
+        shutil.copy(project, copy)
+        answer = self.answer("demo", "import", copy, table, "--map", "proposed", "--name", "Table")
+        self.assertEqual(answer["found"], dry["found"])
+        shown = self.answer("demo", "show", copy, "Table")
+        self.assertEqual(shown["rate_hz"], 30)
+        self.assertIn(f"{shown['rate_hz']:.6g} samples a second", dry["found"])
+        out = self.folder / "imported.csv"
+        self.answer("demo", "export", copy, "Table", out)
+        with open(table, newline="") as rows, open(out, newline="") as read:
+            given, taken = list(csv.DictReader(rows)), list(csv.DictReader(read))
+        # But for the frame that came twice, whose line was said.
+        del given[FOUND_TWICE - 2]
+        self.assertEqual(len(taken), len(given))
+        for theirs, ours in zip(given, taken):
+            self.assertAlmostEqual(float(ours["t_s"]), float(theirs["time_s"]) - float(given[0]["time_s"]), delta=0.00051)
+            for arm in ARMS:
+                for axis in "xyz":
+                    self.assertAlmostEqual(1000 * float(ours[f"{arm}_setpoint_{axis}_m"]), float(theirs[f"{arm}_{axis}_mm"]), delta=1e-4)
+                for axis in "xyzw":
+                    self.assertAlmostEqual(float(ours[f"{arm}_setpoint_q_{axis}"]), float(theirs[f"{arm}_q{axis}"]), delta=1e-5)
 
     def test_keys(self):
         self.author(self.recorded_project(), TESTS / "gui" / "J1_author_by_keys.ui", "By hand 1")

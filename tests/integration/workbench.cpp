@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "engine/media/video_writer.h"
+#include "engine/workbench/importing.h"
 #include "tests/support/scratch_folder.h"
 
 using namespace trocar;
@@ -336,21 +337,44 @@ TEST_CASE("nothing of the document is changed while a take goes on or waits for 
   Bench bench;
   bench.record();
   const DemonstrationId id = bench.state().demonstration;
+  bench.run(CommitEdit{CopyDemonstration{id, "Copy", {}}});
+  const DemonstrationId copy = bench.state().project->demonstrations.rbegin()->first;
+  REQUIRE(copy != id);
+  bench.run(CommitEdit{RemoveDemonstration{copy}});
+  bench.run(CommitEdit{SaveFilter{"long", "length>3"}});
+  std::ofstream(bench.folder / "hand.csv")
+      << "time_s,left_x_mm,left_y_mm,left_z_mm\n0,1,2,30\n0.1,2,2,30\n0.2,3,2,30\n";
+  ImportSettings table;
+  table.path = bench.folder / "hand.csv";
+  bench.run(ReadImport{table});
+  REQUIRE(bench.state().import);
+  REQUIRE(bench.state().import->parts.size() == 1);
   bench.workbench.post(left_arm_by_hand());
   record_until_verdict(bench);
   const std::int64_t head = bench.state().head;
+  const std::uint64_t hash = bench.state().project->hash();
   const std::size_t jobs = bench.state().jobs.size();
   const Edit offset = EditDemonstration{id, demonstration::Offset{demonstration::Arms::kLeft, {0.0, 0.0, 0.002}}};
-  for (const Command& asked :
-       std::vector<Command>{CommitEdit{offset}, Undo{}, Redo{}, GoToHistory{0}, FixProblems{id}}) {
+  MarkChange mark;
+  mark.flag = Flag::kBad;
+  const Batch batch{"Flag", {MarkDemonstration{id, mark}}};
+  for (const Command& asked : std::vector<Command>{
+           CommitEdit{offset}, CommitEdit{EditDemonstration{id, demonstration::Trim{1.0, 2.0}}}, CommitEdit{batch},
+           CommitEdit{SaveFilter{"short", "length<3"}}, CommitEdit{RemoveFilter{"long"}},
+           CommitEdit{RemoveDemonstration{id}}, CommitEdit{RestoreDemonstration{copy}}, MakeImport{}, Undo{}, Redo{},
+           GoToHistory{0}, FixProblems{id}}) {
     bench.workbench.post(asked);
     bench.workbench.poll();
     CHECK(bench.state().head == head);
+    CHECK(bench.state().project->hash() == hash);
     CHECK(bench.state().log.back().text == "A transfer is being recorded");
   }
   CHECK(bench.state().jobs.size() == jobs);
   bench.workbench.post(JudgeTake{TakeVerdict::kDiscard});
   poll_until(bench, [&] { return !bench.state().take; });
+  // What had been looked at can still be imported.
+  bench.run(MakeImport{});
+  CHECK(bench.state().project->demonstrations.size() == 2);
   bench.run(CommitEdit{offset});
   CHECK(bench.state().head != head);
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "engine/demonstration/sampling_rate.h"
 #include "engine/trial/keyboard_hands.h"
 #include "ui/format.h"
 #include "ui/icons.h"
@@ -110,6 +111,18 @@ void draw_live(Ui& ui, const WorkbenchState& state) {
 
 }  // namespace
 
+std::string outcome_reason(const demonstration::Demonstration& shown) {
+  const demonstration::Outcome recorded = shown.recording->outcome;
+  if (recorded == demonstration::Outcome::kUnknown) {
+    return shown.recording->provenance.operator_kind == "imported"
+               ? "How it ends is unknown: the file that it was imported from does not tell"
+               : "How it ends is unknown: the recording does not tell";
+  }
+  if (shown.outcome_doubt().empty()) return "";
+  return fmt::format("How it ends is unknown: what was recorded ended as {}, and {}; simulate it to know",
+                     demonstration::to_string(recorded), shown.outcome_doubt());
+}
+
 void InspectorPanel::draw_segments(Ui& ui, const WorkbenchState&, const demonstration::Demonstration& shown,
                                    Requests& requests) {
   const Scope scope(ui, "Segments");
@@ -149,18 +162,13 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
     name_ = last_name_ = shown->name;
   }
   form_label(ui, "Name");
-  if (text_field(ui, "Name", name_, "Name", {.reason = being_recorded(state)}) && !name_.empty() && name_ != shown->name) {
+  if (text_field(ui, "Name", name_, "Name", {.reason = being_recorded(state)}) && !name_.empty() &&
+      name_ != shown->name) {
     requests.emplace_back(
         Command{workbench::CommitEdit{workbench::EditDemonstration{shown->id, demonstration::Rename{name_}}}});
   }
   const demonstration::Outcome outcome = shown->outcome();
-  const std::string recorded(demonstration::to_string(shown->recording->outcome));
-  const std::string why = shown->outcome_doubt().empty()
-                              ? ""
-                              : fmt::format(
-                                    "How it ends is unknown: what was recorded ended as {}, and {}; simulate it to "
-                                    "know",
-                                    recorded, shown->outcome_doubt());
+  const std::string why = outcome_reason(*shown);
   badge(ui, outcome_sign(outcome), outcome_words(*shown), outcome_colour(ui.theme(), outcome), why);
   if (shown->recording->recovered) {
     flow(badge_width(ui, icon::kWarning, "recovered"), ui.px(8));
@@ -169,8 +177,7 @@ void InspectorPanel::draw_demonstration(Ui& ui, const WorkbenchState& state, Req
   fact(ui, "Duration", seconds(shown->duration_s()));
   fact(ui, "Gates", fmt::format("{:.2f}–{:.2f} s", shown->begin_s, shown->end_s));
   const auto samples = static_cast<std::int64_t>(shown->gated().size());
-  const double rate_hz = shown->duration_s() > 0.0 ? static_cast<double>(samples - 1) / shown->duration_s()
-                                                   : demonstration::kSampleRate_hz;
+  const double rate_hz = samples > 1 ? demonstration::usual_rate_hz(shown->gated()) : demonstration::kSampleRate_hz;
   fact(ui, "Samples", count(samples) + " at " + number(rate_hz) + " Hz");
   fact(ui, "Version", short_hash(shown->hash()));
   ImGui::Dummy({0.0F, ui.px(2)});

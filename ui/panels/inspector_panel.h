@@ -7,6 +7,9 @@
 
 namespace trocar::ui {
 
+/// Why it is unknown how a demonstration ends, as a sentence; "" if it is known.
+std::string outcome_reason(const demonstration::Demonstration& shown);
+
 class InspectorPanel final : public Panel {
  public:
   Requests draw(Ui& ui, const WorkbenchState& state) override;

@@ -309,6 +309,14 @@ TEST_CASE("resampling keeps the motion at any rate up to that of the ticks, and 
   CHECK(camera.samples.tick(2) == 67);
   CHECK(camera.samples.tick(3) == 100);
   CHECK(usual_rate_hz(camera.samples) == 30.0);
+  // Stamps that jitter, and a gap, make it hardly another rate; the middle steps alone would say 28.3 Hz.
+  std::vector<Sample> uneven;
+  for (int i = 0; i < 300; ++i) {
+    if (i >= 120 && i < 130) continue;
+    uneven.push_back(testing::moving_sample(i));
+    uneven.back().tick = std::llround(1000.0 * i / 30.0) + i * 7 % 5;
+  }
+  CHECK(usual_rate_hz(SampleTrack(uneven)) == doctest::Approx(30.0).epsilon(1e-3));
   for (const double rate_hz : {0.5, 1000.5}) {
     CHECK(apply(document, Resample{rate_hz}).error().text() == "a rate must be from 1 to 1000 Hz");
   }

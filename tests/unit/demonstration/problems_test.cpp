@@ -8,6 +8,7 @@
 
 #include "engine/demonstration/diff.h"
 #include "engine/demonstration/edits.h"
+#include "engine/demonstration/motion.h"
 #include "engine/demonstration/quality.h"
 #include "tests/support/document_samples.h"
 
@@ -175,6 +176,38 @@ TEST_CASE("a segment that comes again is a warning, and an error where another l
   document.segments[4].label = Segment::kC;  // A B C D C
   CHECK(messages() == std::vector<std::string>{"segment E is missing", "segment D comes before segment C",
                                                "segment C comes again; only its first stretch counts"});
+}
+
+TEST_CASE("a segment of which only rounding lies between the gates is none") {
+  Demonstration document = moving_demonstration(1000);
+  document.segments[4].end_s = 4.5;
+  document.segments.push_back({Segment::kA, 4.5, document.end_s});
+  document.end_s = 4.5 + 1e-14;
+  REQUIRE(document.end_s > document.segments[5].begin_s);
+  CHECK(of_kind(document, ProblemKind::kSegments).empty());
+  document.end_s = 4.6;
+  CHECK_FALSE(of_kind(document, ProblemKind::kSegments).empty());
+}
+
+TEST_CASE("samples at other instants than before are compared with the way between, so that a bridge moves some") {
+  const Demonstration document = moving_demonstration(1000);
+  std::vector<Sample> uneven;
+  for (int i = 0; i < 1000; i += 6) {
+    uneven.push_back(document.samples[static_cast<std::size_t>(i)]);
+    if (i > 0) uneven.back().tick += i * 7 % 5 - 2;
+  }
+  Recording recording = testing::recording_of(document);
+  recording.samples = uneven;
+  const Demonstration hand =
+      make_demonstration({1}, "Hand", std::make_shared<const Recording>(std::move(recording))).value();
+  Bridge bridge;
+  bridge.from_s = 1.0;
+  bridge.to_s = 2.0;
+  const Demonstration after = apply(hand, bridge, 1).value();
+  const Difference found = difference(hand, after);
+  CHECK(found.moved > 0);
+  CHECK(found.max_deviation_m > kUnmoved_m);
+  CHECK(difference(hand, hand).moved == 0);
 }
 
 TEST_CASE("a difference names the labels and notes that changed") {

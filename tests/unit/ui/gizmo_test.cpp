@@ -271,9 +271,9 @@ TEST_CASE("an arrow that points the other way still moves the tool as the pointe
   CHECK(by.z() > 0.0);
 }
 
-TEST_CASE("K keeps an instant to move the tool at, in hand or not, and stops what plays") {
+TEST_CASE("Shift+K keeps an instant to move the tool at, in hand or not; K stops what plays and does nothing else") {
   ToolDesk desk(GizmoKind::kNone);
-  CHECK(desk.driver().key("K"));
+  CHECK(desk.driver().key("Shift+K"));
   const auto* move = desk.committed<MoveTool>();
   REQUIRE(move != nullptr);
   CHECK(move->at_s == 2.0);
@@ -284,6 +284,10 @@ TEST_CASE("K keeps an instant to move the tool at, in hand or not, and stops wha
   CHECK(desk.last<workbench::CommitEdit>() == nullptr);
   REQUIRE(desk.last<workbench::Play>() != nullptr);
   CHECK(desk.last<workbench::Play>()->speed == 0.0);
+  // Once more, out of habit.
+  desk.state.play_speed = 0.0;
+  CHECK(desk.driver().key("K"));
+  CHECK(desk.last<workbench::CommitEdit>() == nullptr);
 }
 
 }  // namespace trocar::ui

@@ -51,6 +51,20 @@ TEST_CASE("a file that is dropped on the window is read and shown, and imported 
   CHECK(words.ends_with("--map proposed"));
 }
 
+TEST_CASE("what has been looked at is not imported while a take goes on") {
+  const testing::ScratchFolder folder;
+  Desk desk(testing::made_state());
+  Driver driver = desk.driver();
+  CHECK(text_of(driver.drop(table(folder).string())) == "");
+  read_what_was_asked(desk);
+  CHECK(text_of(driver.expect_enabled("Import/Import it", true)) == "");
+  desk.state.live.emplace().samples = 10;
+  CHECK(driver.frames(2));
+  CHECK(driver.item("Import/Import it").value().reason == "A transfer is being recorded");
+  CHECK_FALSE(driver.click("Import/Import it"));
+  CHECK(desk.last<workbench::MakeImport>() == nullptr);
+}
+
 TEST_CASE("a map that is changed is read again, and a field keeps what is typed until it is left") {
   const testing::ScratchFolder folder;
   Desk desk(testing::made_state());

@@ -128,6 +128,34 @@ TEST_CASE("what lies in the trash is listed and restored") {
         workbench::DemonstrationId{2});
 }
 
+TEST_CASE("while a take goes on no filter is saved or forgotten, and nothing leaves the trash") {
+  workbench::WorkbenchState state = testing::made_state();
+  auto project = std::make_shared<workbench::Project>(*state.project);
+  project->trash[{2}] = project->demonstrations.at({2});
+  project->demonstrations.erase({2});
+  project->filters["long"] = "length>3";
+  state.project = project;
+  state.library = workbench::LibraryMaker().make({project, {}}, 1'000'000);
+  LibraryDesk desk(state);
+  const auto refused = [&](const char* path) {
+    CAPTURE(path);
+    CHECK(desk.driver().frames(2));
+    CHECK(desk.driver().item(path).value().enabled);
+    desk.state.live.emplace().samples = 10;
+    CHECK(desk.driver().frames(2));
+    CHECK(desk.driver().item(path).value().reason == "A transfer is being recorded");
+    CHECK_FALSE(desk.driver().click(path));
+    desk.state.live.reset();
+  };
+  refused("Trash/Novice 2/Restore");
+  CHECK(text_of(desk.driver().type("Filter/Query", "length<3")) == "");
+  CHECK(text_of(desk.driver().type("Filter/Filter name", "short")) == "");
+  refused("Filter/Save");
+  CHECK(text_of(desk.driver().type("Filter/Query", "length>3")) == "");
+  refused("Filter/Forget");
+  CHECK(desk.last<CommitEdit>() == nullptr);
+}
+
 TEST_CASE("of a thousand rows only those in sight are drawn") {
   LibraryDesk desk(many_rows(1000));
   const auto& items = desk.session->items().items();

@@ -56,6 +56,31 @@ TEST_CASE("a click on a problem goes to its begin, selects its span and spells i
   CHECK(text_of(desk.driver().expect_present("Problems/List/" + problem.id + "/Fix…", true)) == "");
 }
 
+TEST_CASE("while a take goes on no fix can be made, nor one that is shown already applied") {
+  ProblemsDesk desk;
+  const review::Problem problem = desk.fixable();
+  const std::string scope = "Problems/List/" + problem.id;
+  CHECK(text_of(desk.driver().click("Problems/List/" + problem.message)) == "");
+  CHECK(desk.driver().frames(2));
+  desk.state.live.emplace().samples = 10;
+  CHECK(desk.driver().frames(2));
+  desk.commands.clear();
+  CHECK(desk.driver().item(scope + "/Fix…").value().reason == "A transfer is being recorded");
+  CHECK(desk.driver().item("Problems/Fix all").value().reason == "A transfer is being recorded");
+  CHECK_FALSE(desk.driver().click(scope + "/Fix…"));
+  CHECK_FALSE(desk.driver().click("Problems/Fix all"));
+  desk.state.live.reset();
+  CHECK(desk.driver().frames(2));
+  CHECK(text_of(desk.driver().click(scope + "/Fix…")) == "");
+  CHECK(desk.driver().frames(2));
+  desk.state.live.emplace().samples = 10;
+  CHECK(desk.driver().frames(2));
+  CHECK(desk.driver().item(scope + "/Apply fix").value().reason == "A transfer is being recorded");
+  CHECK_FALSE(desk.driver().click(scope + "/Apply fix"));
+  CHECK(desk.commits() == 0);
+  CHECK(desk.last<workbench::FixProblems>() == nullptr);
+}
+
 TEST_CASE("a fix is previewed first and committed once") {
   ProblemsDesk desk;
   const review::Problem problem = desk.fixable();

@@ -4,11 +4,13 @@
 #include <fstream>
 #include <set>
 
+#include "engine/demonstration/edits.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/ui_desk.h"
 #include "tests/support/ui_state.h"
 #include "ui/command_table.h"
 #include "ui/driver/driver.h"
+#include "ui/panels/inspector_panel.h"
 #include "ui/window/null_window.h"
 
 namespace trocar::ui {
@@ -259,6 +261,61 @@ TEST_CASE("while a transfer is recorded the timeline and the inspector do not sh
   CHECK(text_of(desk.driver().expect_present("Timeline/Lanes", false)) == "");
   CHECK(text_of(desk.driver().expect_value("Inspector/Recording/Samples", "2,480")) == "");
   CHECK(desk.driver().item("Toolbar/Undo").value().reason == "A transfer is being recorded");
+}
+
+TEST_CASE("while a take waits for its verdict no gate can be dragged") {
+  Desk desk(testing::made_state());
+  const Item gate = desk.driver().item("Timeline/In gate").value();
+  desk.state.live.emplace().samples = 2480;
+  desk.state.take.emplace().reviewing = true;
+  CHECK(desk.driver().frames(2));
+  CHECK_FALSE(desk.driver().drag("Timeline/In gate", 90.0F, 0.0F));
+  // Nor by a mouse that does not ask what is there.
+  const auto [x, y] = std::pair{0.5F * (gate.rect.x0 + gate.rect.x1), 0.5F * (gate.rect.y0 + gate.rect.y1)};
+  desk.window.input().push(MouseMoved{x, y});
+  CHECK(desk.driver().frames(1));
+  desk.window.input().push(MouseButton{0, true});
+  CHECK(desk.driver().frames(1));
+  desk.window.input().push(MouseMoved{x + 90.0F, y});
+  CHECK(desk.driver().frames(1));
+  desk.window.input().push(MouseButton{0, false});
+  CHECK(desk.driver().frames(2));
+  CHECK(desk.last<workbench::CommitEdit>() == nullptr);
+}
+
+TEST_CASE("how often the window is drawn is said in the menu bar once that is asked for") {
+  Desk desk(testing::made_state());
+  const auto said = [&] {
+    const auto& items = desk.session->items().items();
+    return std::count_if(items.begin(), items.end(), [](const Item& item) {
+      return item.label.size() > 4 && item.label.find(" fps") == item.label.size() - 4;
+    });
+  };
+  CHECK(said() == 0);
+  CHECK(text_of(desk.driver().click("Menu/View")) == "");
+  CHECK(text_of(desk.driver().click("View/Frames per second")) == "");
+  CHECK(desk.driver().frames(2));
+  CHECK(said() == 1);
+  CHECK(text_of(desk.driver().click("Menu/View")) == "");
+  CHECK(text_of(desk.driver().click("View/Frames per second")) == "");
+  CHECK(desk.driver().frames(2));
+  CHECK(said() == 0);
+}
+
+TEST_CASE("how a demonstration ended is said to be unknown by what it is that does not tell") {
+  const auto state = testing::made_state();
+  const auto& shown = *state.project->demonstrations.at({1});
+  CHECK(outcome_reason(shown).empty());
+  auto edited = demonstration::apply(shown, demonstration::Smooth{0.0, 5.0}, 7).value();
+  REQUIRE(edited.outcome_doubt() == "its motion was edited since");
+  CHECK(outcome_reason(edited) ==
+        "How it ends is unknown: what was recorded ended as success, and its motion was "
+        "edited since; simulate it to know");
+  auto recording = std::make_shared<demonstration::RecordingInfo>(*edited.recording);
+  recording->outcome = demonstration::Outcome::kUnknown;
+  recording->provenance.operator_kind = "imported";
+  edited.recording = recording;
+  CHECK(outcome_reason(edited) == "How it ends is unknown: the file that it was imported from does not tell");
 }
 
 TEST_CASE("the probe says expected visits as the layer does, and nothing twice") {

@@ -121,3 +121,26 @@ TEST_CASE("an import is in the journal as it is in memory") {
   CHECK_FALSE(edit_from_json(ImportDemonstrations::kName, R"({"file": "a", "parts": [1]})"));
   CHECK_FALSE(edit_from_json(ImportDemonstrations::kName, R"({"file": "a"})"));
 }
+
+TEST_CASE("times that jitter and gaps as short as the checks count them are said, and the rate as it is") {
+  const ScratchFolder folder;
+  const auto found_in = [&](double rate_hz, double jitter_s, int lost) {
+    std::string text = "time_s,left_x_mm,left_y_mm,left_z_mm\n";
+    for (int i = 0; i < 200; ++i) {
+      if (i == lost) continue;
+      text += fmt::format("{:.4f},{},-20,30\n", i / rate_hz + (i % 3 == 1 ? jitter_s : 0.0), 0.1 * i);
+    }
+    CHECK(write_file(folder / "hand.csv", text));
+    std::string all;
+    const auto view = looked_at(settings_of(folder / "hand.csv"));
+    for (const std::string& each : view->parts.at(0).found) all += each + "\n";
+    return all;
+  };
+  const std::string even = found_in(30.0, 0.0, -1);
+  CHECK(even.find("30 samples a second\n") == 0);
+  CHECK(even.find("unevenly") == std::string::npos);
+  CHECK(even.find("gap") == std::string::npos);
+  CHECK(found_in(30.0, 0.004, -1).find("samples come unevenly: 9 of 10 are 30 to 37 ms") != std::string::npos);
+  CHECK(found_in(30.0, 0.0, 100).find("1 gap, the longest 0.07 s at 3.30 s") != std::string::npos);
+  CHECK(found_in(62.5, 0.0, -1).find("62.5 samples a second\n") == 0);
+}

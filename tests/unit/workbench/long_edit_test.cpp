@@ -67,7 +67,8 @@ TEST_CASE("what is shown while its parameters are chosen is not worked out again
   CHECK(desk.shown()->stack->front().id == desk.bench.state().head);
 }
 
-TEST_CASE("an edit that is made beside the window is given up, with a word, if the demonstration is changed meanwhile") {
+TEST_CASE(
+    "an edit that is made beside the window is given up, with a word, if the demonstration is changed meanwhile") {
   LongBench desk;
   desk.bench.post(CommitEdit{EditDemonstration{desk.id, kSmooth}});
   desk.bench.post(CommitEdit{EditDemonstration{desk.id, demonstration::Trim{1.0, 20.0}}});
@@ -79,4 +80,23 @@ TEST_CASE("an edit that is made beside the window is given up, with a word, if t
   CHECK(std::any_of(log.begin(), log.end(), [](const LogLine& line) {
     return line.severity == Severity::kError && line.text.find("changed meanwhile") != std::string::npos;
   }));
+}
+
+TEST_CASE("no take begins while an edit is being made beside the window, and it is said why") {
+  LongBench desk;
+  desk.bench.post(CommitEdit{EditDemonstration{desk.id, kSmooth}});
+  RecordByHand take;
+  take.options.countdown_s = 0.0;
+  for (const Command& asked : std::vector<Command>{take, RecordScripted{}}) {
+    desk.bench.post(asked);
+    CHECK(desk.bench.state().log.back().text == "An edit is still being made; record when it is done");
+  }
+  REQUIRE(desk.bench.wait_idle(120.0));
+  CHECK_FALSE(desk.bench.state().live);
+  CHECK(desk.bench.state().project->demonstrations.size() == 1);
+  REQUIRE(desk.shown()->stack->size() == 1);
+  // Then it does.
+  desk.bench.post(take);
+  CHECK(desk.bench.state().log.back().text == "Armed");
+  CHECK(desk.bench.finish(120.0));
 }

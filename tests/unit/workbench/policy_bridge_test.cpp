@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/workbench/batch.h"
 #include "tests/support/project_fixture.h"
 #include "tests/support/ui_state.h"
 
@@ -111,4 +112,26 @@ TEST_CASE("a policy that cannot be followed says why") {
   demonstration::Demonstration unlabelled = document;
   unlabelled.segments.clear();
   CHECK(error(by_policy(0.5, 2.5), unlabelled).find("no segment is labelled at 0.50 s") == 0);
+}
+
+TEST_CASE("a batch of bridges by policy holds the way of each, and leaves out where none leads") {
+  const auto entry = testing::made_model();
+  Project project = project_of(entry, jumping(*entry->model));
+  demonstration::Demonstration unlabelled = *project.demonstrations.at({1});
+  unlabelled.id = {2};
+  unlabelled.segments.clear();
+  project.demonstrations[{2}] = std::make_shared<const demonstration::Demonstration>(std::move(unlabelled));
+  Progress progress;
+  const auto plan = plan_batch({std::make_shared<const Project>(project),
+                                {{1}, {2}},
+                                {"bridge", "--from", "0.5", "--to", "2.5", "--arms", "left", "--shape", "policy"}},
+                               progress);
+  REQUIRE(plan->error.empty());
+  REQUIRE(plan->lines.size() == 2);
+  CHECK(plan->lines[0].problem.empty());
+  CHECK(plan->lines[1].problem.find("no segment is labelled at 0.50 s") == 0);
+  REQUIRE(plan->edit.edits.size() == 1);
+  const auto& bridge = std::get<Bridge>(std::get<EditDemonstration>(plan->edit.edits[0]).edit);
+  const Bridge alone = with_policy_way(by_policy(0.5, 2.5), *project.demonstrations.at({1}), project).value();
+  CHECK(demonstration::to_json(bridge) == demonstration::to_json(alone));
 }
