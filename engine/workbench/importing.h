@@ -29,7 +29,7 @@ struct ImportPart {
   std::vector<demonstration::AddNote> notes;                     ///< From the file.
   std::vector<std::string> lossy;                                ///< What the file does not have.
   std::vector<std::string> found;                                ///< What is odd about it, and was not mended.
-  std::vector<std::string> changed;                              ///< What was taken in another way than it stands there.
+  std::vector<std::string> changed;                              ///< What was changed, left out or assumed.
   std::size_t warnings = 0;                                      ///< Of the problems that it has.
   std::size_t errors = 0;
 };

@@ -126,7 +126,7 @@ class Foreign(CommandLineTest):
         first, second = answer["demonstrations"]
         self.assertEqual(first["name"], "lift demo_0")
         self.assertAlmostEqual(first["duration_s"], 39 / 20)
-        text = " | ".join(first["found"] + first["lossy"])
+        text = " | ".join(first["found"] + first["changed"] + first["lossy"])
         for words in ("20 samples a second", "x, y, z, w", "the right arm", "agentview_image (it has too many dimensions)",
                       "the blocks"):
             self.assertIn(words, text)

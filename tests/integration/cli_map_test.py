@@ -37,7 +37,7 @@ class ColumnMaps(CommandLineTest):
         preset.write_text(json.dumps(proposed["map"]))
         answer = self.answer("demo", "import", project, table, "--map", preset, "--offset-mm", "0,0,5")
         self.assertEqual(answer["imported"], 1)
-        text = " | ".join(answer["found"])
+        text = " | ".join(answer["found"] + answer["changed"])
         for words in ("30 samples a second", "1 gap", "changes sign 2 times", "columns that nothing is made of: remark",
                       "1 row is left out, the first is line 23: the time is that of the row before"):
             self.assertIn(words, text)

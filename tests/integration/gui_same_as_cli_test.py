@@ -12,7 +12,7 @@ from cli_support import DONE, TROCAR, CommandLineTest
 STEPS = [
     ["key Shift+Right", "key G", "frames 3", 'drag "View/Gizmo/Y" 37 3', "wait idle", "key Escape"],
     ["key Shift+Right", "key T", "frames 3", 'drag "View/Gizmo/Turn Z" 20 10', "wait idle", "key Escape"],
-    ["key Shift+Right", "key Shift+Right", "key K"],
+    ["key Shift+Right", "key Shift+Right", "key Shift+K"],
     ["key M"],
     ["key 3"],
     ["key ;"],

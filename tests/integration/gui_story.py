@@ -142,7 +142,7 @@ class Story(CommandLineTest):
         table = self.folder / "table.csv"
         dry = self.answer("demo", "import", project, table, "--dry-run")
         self.assertEqual(self.hash(project), before)
-        found = " | ".join(dry["found"])
+        found = " | ".join(dry["found"] + dry["changed"])
         for words in FOUND:
             self.assertIn(words, found)
         self.assertEqual(dry["errors"], 1)  # The gap.

@@ -214,7 +214,7 @@ void ImportForm::draw_part(Ui& ui, const ImportView& view, const std::vector<std
   heading(ui, "Found, and left as it is");
   sentences(ui, icon::kInfo, part.found, ui.theme().accent);
   if (const std::vector<std::string> changed = found_beside(part.changed, doubts); !changed.empty()) {
-    heading(ui, "Taken in another way than it stands there");
+    heading(ui, "Changed, left out or assumed");
     sentences(ui, icon::kWarning, changed, ui.theme().warning);
   }
   if (!part.lossy.empty()) {

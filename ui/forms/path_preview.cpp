@@ -84,13 +84,7 @@ void PathPreview::draw_view(Ui& ui, std::string_view label, int across, int up, 
     const ImU32 colour = to_u32(arm_colour(theme, static_cast<int>(arm)));
     std::vector<ImVec2> points;
     points.reserve(paths_[arm].size());
-    // A tool that trembles in place would be drawn as the spikes of a polyline's corners.
-    const float nearest = ui.px(1.5F);
-    for (const Eigen::Vector3d& p_WT : paths_[arm]) {
-      const ImVec2 at = to.at(p_WT);
-      if (!points.empty() && std::hypot(at.x - points.back().x, at.y - points.back().y) < nearest) continue;
-      points.push_back(at);
-    }
+    for (const Eigen::Vector3d& p_WT : paths_[arm]) points.push_back(to.at(p_WT));
     if (points.empty()) continue;
     stroke(list, points, colour, ui.px(1.5F));
     list.AddCircleFilled(points.front(), ui.px(3), colour);

@@ -308,6 +308,23 @@ TEST_CASE("a foreign file without a rate is said to be taken at 20 Hz, unless on
   CHECK(read_nodes(nodes, {{}, 5000.0}).error().code() == ErrorCode::kInvalidArgument);
 }
 
+TEST_CASE("a row of a foreign file without a number is left out, and keys and counts that do not fit are told") {
+  std::vector<TreeNode> nodes = foreign_nodes(5);
+  std::vector<double> positions(15, 0.02);
+  positions[7] = std::nan("");
+  nodes[4] = array_node("data/demo_0/obs/robot0_eef_pos", TreeNode::Kind::kFloat64, {5, 3}, positions);
+  for (TreeNode& node : nodes) {
+    if (node.path == "data/demo_0") node.attributes["num_samples"] = std::int64_t{4};
+    if (node.path == "mask/train") node.texts.push_back("demo_7");
+  }
+  const auto read = read_nodes(nodes).value();
+  REQUIRE(read[0].recording.samples.size() == 4);
+  CHECK(read[0].recording.samples[2].tick == 60);
+  CHECK(mentions(read[0].found, "1 row is left out, the first is row 3: a number is missing"));
+  CHECK(mentions(read[0].found, "the file says 4 samples, but holds 5; all are taken"));
+  CHECK(mentions(read[0].found, "the filter key train names demo_7, which the file does not hold"));
+}
+
 TEST_CASE("a foreign file with arrays that do not fit is refused with the array's name") {
   const auto refusal = [](std::size_t which, const TreeNode& node) {
     std::vector<TreeNode> nodes = foreign_nodes(5);
@@ -323,10 +340,11 @@ TEST_CASE("a foreign file with arrays that do not fit is refused with the array'
         "demo_0: obs/robot0_eef_quat has not the shape of 5 by 3 to 4");
   CHECK(refusal(5, array_node(obs + "robot0_eef_quat", kind, {5, 4}, std::vector<double>(20, 3.0))) ==
         "demo_0: row 1 of obs/robot0_eef_quat is no rotation");
-  CHECK(refusal(4, array_node(obs + "robot0_eef_pos", kind, {5, 3}, std::vector<double>(15, nan))) ==
+  CHECK(refusal(4, array_node(obs + "robot0_eef_pos", kind, {5, 3}, std::vector<double>(15, 1e9))) ==
         "demo_0: row 1 of obs/robot0_eef_pos is no position in metres");
-  CHECK(refusal(6, array_node(obs + "robot0_gripper_qpos", kind, {5, 1}, std::vector<double>(5, nan)))
-            .find("demo_0: row 1") == 0);
+  const std::string none = "demo_0: only 0 of 5 rows can be samples, numbers are missing from row 1 on";
+  CHECK(refusal(4, array_node(obs + "robot0_eef_pos", kind, {5, 3}, std::vector<double>(15, nan))) == none);
+  CHECK(refusal(6, array_node(obs + "robot0_gripper_qpos", kind, {5, 1}, std::vector<double>(5, nan))) == none);
   CHECK(refusal(4, group(obs + "robot0_eef_pos")).find("it has no tool position") != std::string::npos);
   CHECK(read_nodes({group("data")}).error().text().find("no group data with demonstrations") != std::string::npos);
 }
