@@ -113,19 +113,7 @@ Theme make_theme(ThemeKind kind) {
 }
 
 Rgba segment_colour(demonstration::Segment segment) {
-  switch (segment) {
-    case demonstration::Segment::kA:
-      return {86, 180, 233, 255};
-    case demonstration::Segment::kB:
-      return {230, 159, 0, 255};
-    case demonstration::Segment::kC:
-      return {62, 190, 148, 255};
-    case demonstration::Segment::kD:
-      return {219, 141, 186, 255};
-    case demonstration::Segment::kE:
-      return {222, 212, 90, 255};
-  }
-  return {128, 128, 128, 255};
+  return stage::segment_colour(segment);
 }
 
 Rgba authority_colour(demonstration::Authority authority) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/demonstration/jaw_limits.h"
@@ -17,7 +18,9 @@ constexpr double kReach_m = 0.003 + peg_board::kBlockCircumradius_m;
 double nearest_block_m(const Sample& sample, std::size_t arm) {
   const Eigen::Vector3d p_WT = measured_tip(sample, arm);
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (const CompactPose& block : sample.blocks) nearest_m = std::min(nearest_m, (block.pose().p - p_WT).norm());
+  for (const CompactPose& block : sample.blocks) {
+    if (is_known(block)) nearest_m = std::min(nearest_m, (block.pose().p - p_WT).norm());
+  }
   return nearest_m;
 }
 
@@ -29,7 +32,8 @@ void JawChecks::check_closing(const Sample& sample, double t_s, std::size_t arm)
   if (!open_[arm] || jaw_rad > kJawClosed_rad) return;
   open_[arm] = false;
   const double distance_m = nearest_block_m(sample, arm);
-  if (distance_m <= kReach_m) return;
+  // Where no block was recorded, nobody knows what it closes on.
+  if (distance_m <= kReach_m || !std::isfinite(distance_m)) return;
   closings_[arm].push_back(
       {ProblemKind::kJaw, Severity::kWarning, t_s, t_s,
        fmt::format("the {} gripper closes on nothing, the nearest block is {:.0f} mm away", arm == 0 ? "left" : "right",

@@ -61,6 +61,11 @@ enum SampleFlag : std::uint32_t {
 };
 
 /// One instant, every 5 ticks (200 Hz). Plain bytes: chunks of samples are stored as they are in memory.
+/// False for a block whose place nobody recorded: it is left where nothing can be, in the origin.
+inline bool is_known(const CompactPose& block) {
+  return block.p != std::array<float, 3>{};
+}
+
 struct Sample {
   std::int64_t tick = 0;
   std::array<ArmSample, 2> arms;  ///< Left (PSM2), right (PSM1).

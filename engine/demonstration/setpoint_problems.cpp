@@ -18,7 +18,6 @@ namespace {
 constexpr double kBeyondWrist_m = 0.020;
 /// Further out than any bending of the arms explains: another frame, or another unit.
 constexpr double kFarOutside_m = 0.1;
-constexpr double kJawRate_rad_s = 8.0;
 /// The guard of an arm holds at a larger step.
 constexpr double kLeap_m = 0.005;
 /// What the limiter lets through at its limit differs from it by rounding only.

@@ -145,6 +145,25 @@ class Guesser {
     return unit;
   }
 
+  /// The first column, under whatever name, where it rises from row to row and nothing else is made of it.
+  void take_first_as_time() {
+    const std::vector<std::string>& names = looked_.table.names();
+    if (names.empty() || looked_.columns.empty() || !numeric(looked_.columns[0]) || understood(names[0])) return;
+    const std::vector<double>& values = looked_.columns[0];
+    const std::string unit = unit_in(names[0]);
+    std::size_t rising = 0;
+    std::size_t counting = 0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      rising += values[i] > values[i - 1] ? 1 : 0;
+      counting += values[i] == values[i - 1] + 1.0 ? 1 : 0;
+    }
+    // Whole numbers one after the other count rows, unless a unit says otherwise.
+    const bool counts = unit.empty() && counting + 1 == values.size();
+    if (values.size() < 3 || counts || 10 * rising < 9 * (values.size() - 1)) return;
+    take_time(0, unit);
+    doubt(fmt::format("{} is taken as the time, because it comes first and rises", name(0)));
+  }
+
   bool by_names() {
     std::map<int, Group> groups;
     for (std::size_t i = 0; i < looked_.table.names().size(); ++i) {
@@ -167,6 +186,7 @@ class Guesser {
       if (told->quantity == Quantity::kEuler || told->quantity == Quantity::kJoint) group.angle_unit = told->unit;
       if (told->quantity == Quantity::kJaw) jaw_units_[i] = told->unit;
     }
+    if (guess_.map.time.column.empty()) take_first_as_time();
     bool any = false;
     for (auto& [arm, group] : groups) {
       // What names no arm is the left one's, unless that is there by name.

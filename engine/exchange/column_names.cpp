@@ -133,6 +133,10 @@ std::vector<std::string> words_of(std::string_view name) {
   return words;
 }
 
+std::string unit_in(std::string_view name) {
+  return unit_of(words_of(name));
+}
+
 std::optional<NamedColumn> understood(std::string_view name) {
   const Words words = words_of(name);
   std::optional<NamedColumn> found = quantity_of(words);

@@ -24,4 +24,7 @@ std::optional<NamedColumn> understood(std::string_view name);
 /// Lower-case words: parted by anything that is no letter or digit, and before a capital.
 std::vector<std::string> words_of(std::string_view name);
 
+/// The unit that the name says: "s" of "Zeit [s]"; empty if it says none.
+std::string unit_in(std::string_view name);
+
 }  // namespace trocar::exchange

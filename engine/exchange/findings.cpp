@@ -93,6 +93,12 @@ std::string jumps(const SampleTrack& samples, std::size_t arm) {
 
 /// Where a tool goes, when much of it is not over the lattice.
 std::string outside(const SampleTrack& samples, std::size_t arm, const spatial::Grid& grid) {
+  // A tool that never moves is one that the file does not have.
+  const Eigen::Vector3d first = demonstration::measured_tip(samples[0], arm);
+  const bool rests = std::all_of(samples.begin(), samples.end(), [&](const Sample& sample) {
+    return demonstration::measured_tip(sample, arm) == first;
+  });
+  if (rests) return "";
   std::size_t count = 0;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
   Eigen::Vector3d high = -low;

@@ -121,11 +121,13 @@ Result<std::vector<demonstration::AddNote>> read_gestures(std::string_view text,
     std::size_t last = 0;
     const bool numbers = parse(first_word, first) && parse(last_word, last);
     if (!numbers || gesture.empty() || gesture.size() > 40 || !take_word(line).empty()) {
-      return fail(ErrorCode::kCorrupt, fmt::format("the transcription, line {}: it must be FIRST LAST GESTURE", number));
+      return fail(ErrorCode::kCorrupt,
+                  fmt::format("the transcription, line {}: it must be FIRST LAST GESTURE", number));
     }
     if (first < 1 || last < first || last > frames) {
-      return fail(ErrorCode::kCorrupt, fmt::format("the transcription, line {}: it names frames {} to {}, there are 1 to {}",
-                                                   number, first, last, frames));
+      return fail(ErrorCode::kCorrupt,
+                  fmt::format("the transcription, line {}: it names frames {} to {}, there are 1 to {}", number, first,
+                              last, frames));
     }
     const auto time_of = [](std::size_t frame) { return static_cast<double>(frame - 1) / kRate_hz; };
     notes.push_back({std::string(gesture), time_of(first), time_of(last), "gesture", 0});

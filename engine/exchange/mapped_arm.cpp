@@ -57,7 +57,8 @@ Result<MappedArm> MappedArm::resolve(const NumberTable& table, const ArmColumns&
     TROCAR_ASSIGN_OR_RETURN(const std::size_t column, table.find(name));
     if (std::find(arm.used_.begin(), arm.used_.end(), column) != arm.used_.end()) {
       return fail(ErrorCode::kInvalidArgument,
-                  fmt::format("the map takes two numbers of the {} tool from one column, {}", name_of(side), table.shown(column)));
+                  fmt::format("the map takes two numbers of the {} tool from one column, {}", name_of(side),
+                              table.shown(column)));
     }
     arm.used_.push_back(column);
   }

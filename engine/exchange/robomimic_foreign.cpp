@@ -70,8 +70,9 @@ class ForeignReader {
     }
     const std::size_t taken = imported_.recording.samples.size();
     if (taken < 2 || 2 * taken < rows_) {
-      return fail(ErrorCode::kCorrupt, fmt::format("only {} of {} rows can be samples, numbers are missing from row {} on",
-                                                   taken, rows_, first_left_out_));
+      return fail(ErrorCode::kCorrupt,
+                  fmt::format("only {} of {} rows can be samples, numbers are missing from row {} on", taken, rows_,
+                              first_left_out_));
     }
     TROCAR_RETURN_IF_ERROR(demonstration::check_samples(imported_.recording.samples));
     say();

@@ -129,8 +129,33 @@ std::optional<Edit> open_fix(const Demonstration& document, const Problem& probl
   return edit;
 }
 
+/// Jaws that are told to turn too fast begin to turn early enough; nothing where they are slow enough.
+std::optional<Edit> jaw_rate_fix(const Demonstration& document, const Problem& problem) {
+  const auto arm = static_cast<std::size_t>(problem.arm);
+  constexpr double kSlower = 1.05;
+  const SampleTrack before = document.samples_within(document.begin_s, problem.begin_s);
+  // The step that is too fast ends at the problem's begin.
+  if (before.size() < 2) return std::nullopt;
+  const Sample from = before[before.size() - 2];
+  const Sample first = before[before.size() - 1];
+  const Sample to = document.sample_at(problem.end_s);
+  const auto jaw = [arm](const Sample& sample) { return sample.arms[arm].setpoint_jaw_rad; };
+  const double step_s = document.time_of(first) - document.time_of(from);
+  if (!(std::abs(jaw(first) - jaw(from)) > demonstration::kJawRate_rad_s * step_s)) return std::nullopt;
+  SetJaw edit;
+  edit.arms = arms_of(problem);
+  edit.jaw_rad = std::clamp(jaw(to), kJawLow_rad, kJawHigh_rad);
+  edit.ramp_s = kSlower * std::abs(jaw(to) - jaw(from)) / demonstration::kJawRate_rad_s;
+  edit.from_s = std::max(document.time_of(first) - edit.ramp_s, document.begin_s);
+  edit.to_s = std::min(std::max(document.time_of(to), document.time_of(first)) + edit.ramp_s, document.end_s);
+  return edit;
+}
+
 std::optional<Edit> jaw_fix(const Demonstration& document, const Problem& problem) {
   if (problem.arm < 0) return std::nullopt;
+  if (problem.severity != Severity::kError) {
+    if (auto slower = jaw_rate_fix(document, problem)) return slower;
+  }
   if (problem.severity != Severity::kError) return open_fix(document, problem);
   const Sample sample = document.sample_at(problem.begin_s);
   auto edit = over<SetJaw>(document, problem, 0.0);

@@ -156,11 +156,6 @@ bool same(const CompactPose& a, const CompactPose& b) {
   return a.p == b.p && a.q_wxyz == b.q_wxyz;
 }
 
-/// Imports have no blocks: they all are where nobody put them.
-bool is_known(const CompactPose& pose) {
-  return pose.p != std::array<float, 3>{};
-}
-
 }  // namespace
 
 Sweep::Sweep(int block)
@@ -185,7 +180,7 @@ void Sweep::move_blocks(const Sample& sample) {
     if (started_ && same(block.pose, pose)) continue;
     const spatial::Pose before = block.X_WK;
     block.pose = pose;
-    block.known = is_known(pose);
+    block.known = demonstration::is_known(pose);
     block.X_WK = pose.pose();
     block.X_WK.q.normalize();
     block.shape = block_shape(block.X_WK);

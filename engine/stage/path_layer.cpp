@@ -126,10 +126,10 @@ void add_path(const PathLayer& layer, scene::Scene& scene) {
 }
 
 Rgba segment_colour(demonstration::Segment segment) {
-  // Okabe and Ito; the agent's segments are cool, the operator's warm, the assistant's purple.
+  // After Okabe and Ito, lightened so that dark letters can be read on them: timeline, badges and paths share them.
   constexpr std::array<Rgba, demonstration::kSegmentCount> kColours{Rgba{86, 180, 233, 255}, Rgba{230, 159, 0, 255},
-                                                                    Rgba{0, 158, 115, 255}, Rgba{213, 94, 0, 255},
-                                                                    Rgba{204, 121, 167, 255}};
+                                                                    Rgba{62, 190, 148, 255}, Rgba{219, 141, 186, 255},
+                                                                    Rgba{222, 212, 90, 255}};
   return kColours[static_cast<std::size_t>(segment)];
 }
 

@@ -39,8 +39,24 @@ void add_board(const Meshes& meshes, bool light, scene::Scene& scene) {
   }
 }
 
+/// Makes the joints fit the tool's pose, where they do not; false if they cannot and were never recorded.
+bool fit_joints(kinematics::ArmSide side, const Pose& X_WT, kinematics::Joints& joints) {
+  constexpr double kFits_m = 0.0002;
+  constexpr double kFits_rad = 0.02;
+  const kinematics::PsmModel model = kinematics::psm_model(side);
+  const bool recorded = joints != kinematics::Joints{};
+  if (recorded) {
+    const Pose X_WF = kinematics::forward(model, joints);
+    if ((X_WF.p - X_WT.p).norm() < kFits_m && X_WF.q.angularDistance(X_WT.q) < kFits_rad) return true;
+  }
+  const Result<kinematics::Joints> fitting = kinematics::inverse(model, X_WT);
+  if (fitting) joints = *fitting;
+  return recorded || fitting.has_value();
+}
+
 void add_blocks(const Meshes& meshes, const Pose3d& pose, int highlighted, scene::Scene& scene) {
   for (int i = 0; i < peg_board::kBlockCount; ++i) {
+    if (!pose.block_known[static_cast<std::size_t>(i)]) continue;
     const Pose& X_WK = pose.blocks[static_cast<std::size_t>(i)];
     scene.nodes.push_back({meshes.block, palette::block(i, i == highlighted), scene::node_pose(X_WK)});
     if (i != highlighted) continue;
@@ -140,9 +156,13 @@ Pose3d pose_of(const demonstration::Sample& sample) {
   for (std::size_t i = 0; i < 2; ++i) {
     const demonstration::ArmSample& arm = sample.arms[i];
     for (std::size_t k = 0; k < pose.joints[i].size(); ++k) pose.joints[i][k] = static_cast<double>(arm.joints[k]);
+    pose.arm_known[i] = fit_joints(kinematics::kArmSides[i], arm.measured.pose(), pose.joints[i]);
     pose.jaw_rad[i] = static_cast<double>(arm.jaw_rad);
   }
-  for (std::size_t i = 0; i < pose.blocks.size(); ++i) pose.blocks[i] = sample.blocks[i].pose();
+  for (std::size_t i = 0; i < pose.blocks.size(); ++i) {
+    pose.blocks[i] = sample.blocks[i].pose();
+    pose.block_known[i] = demonstration::is_known(sample.blocks[i]);
+  }
   return pose;
 }
 
@@ -164,7 +184,7 @@ scene::Scene Stage::scene(const Pose3d& pose, const std::vector<PathLayer>& path
   if (options.arms) {
     for (const kinematics::ArmSide side : kinematics::kArmSides) {
       const std::size_t i = kinematics::index_of(side);
-      add_arm(*meshes_, side, pose.joints[i], pose.jaw_rad[i], made.nodes);
+      if (pose.arm_known[i]) add_arm(*meshes_, side, pose.joints[i], pose.jaw_rad[i], made.nodes);
     }
   }
   for (const PathLayer& path : paths) add_path(path, made);

@@ -25,8 +25,12 @@ struct Pose3d {
   std::array<kinematics::Joints, 2> joints{};
   std::array<double, 2> jaw_rad{};
   std::array<spatial::Pose, peg_board::kBlockCount> blocks;
+  std::array<bool, 2> arm_known{true, true};  ///< One that is not is left out, as is a block.
+  std::array<bool, peg_board::kBlockCount> block_known{true, true, true, true, true, true};
 };
 Pose3d pose_of(const simulation::WorldState& state);
+/// The arms are where their tools were measured, or set by an edit: joints that were not recorded, or no longer fit, are
+/// worked out anew; an arm for which there are none is not known.
 Pose3d pose_of(const demonstration::Sample& sample);
 
 /// A line through space, drawn as a tube.

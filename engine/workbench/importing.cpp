@@ -47,6 +47,10 @@ Result<ImportPart> part_of(const ImportSettings& settings, exchange::Imported im
   if (provenance.created.empty()) provenance.created = created;
   part.name = wanted_name(settings, imported, nth);
   part.lossy = std::move(imported.lossy);
+  const bool told = settings.block != demonstration::kUnknownPlace && settings.goal != demonstration::kUnknownPlace;
+  if (told)
+    std::replace(part.lossy.begin(), part.lossy.end(), std::string("its block, goal and outcome"),
+                 std::string("its outcome"));
   part.notes = std::move(imported.notes);
   auto recording = std::make_shared<const demonstration::Recording>(std::move(imported.recording));
   TROCAR_ASSIGN_OR_RETURN(auto document, demonstration::make_demonstration({}, part.name, std::move(recording)));

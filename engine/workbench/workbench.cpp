@@ -48,6 +48,8 @@ Workbench::Impl::Impl(Options options_in)
 void Workbench::Impl::log(Severity severity, std::string text) {
   constexpr std::size_t kKept = 500;
   const std::string time = iso_time(options.clock->unix_s());
+  // What was asked for and cannot be is said where what was done is said.
+  if (severity == Severity::kError) state.done = text;
   state.log.push_back({time.substr(11, 8), severity, std::move(text)});
   if (state.log.size() > kKept) state.log.erase(state.log.begin());
   dirty = true;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/demonstration/problems.h"
+#include "engine/demonstration/sampling_rate.h"
 #include "engine/demonstration/time_warp.h"
 #include "engine/review/review.h"
 #include "ui/format.h"
@@ -37,6 +38,24 @@ std::string likely(const EditOption& option, const Demonstration& shown, const W
   if (option.option == "block" && shown.block != demonstration::kUnknownPlace) return std::to_string(shown.block);
   if (option.option == "goal" && shown.goal != demonstration::kUnknownPlace) return std::to_string(shown.goal);
   return option.text;
+}
+
+/// Where a bridge is most likely wanted when nothing is selected: over the gap next to the playhead, else half a second
+/// about it. Never over all of it.
+workbench::TimeSpan likely_bridge(const Demonstration& shown, double playhead_s) {
+  constexpr double kHalf_s = 0.25;
+  workbench::TimeSpan best{std::max(playhead_s - kHalf_s, shown.begin_s), std::min(playhead_s + kHalf_s, shown.end_s)};
+  double nearest_s = 2.0;  // Farther ones are not meant.
+  const demonstration::SampleTrack samples = shown.gated();
+  for (const demonstration::SampleGap& gap : demonstration::sample_gaps(samples)) {
+    const double begin_s = shown.time_of(samples[gap.after - 1]);
+    const double end_s = shown.time_of(samples[gap.after]);
+    const double away_s = std::max({begin_s - playhead_s, playhead_s - end_s, 0.0});
+    if (away_s >= nearest_s) continue;
+    nearest_s = away_s;
+    best = {begin_s, end_s};
+  }
+  return best;
 }
 
 /// A demonstration is chosen by name; its number behind it tells apart those of one name.
@@ -190,6 +209,12 @@ void EditForm::begin(const BeginEdit& asked, const WorkbenchState& state) {
   begin(asked.edit, *state.project, *shown, 0);
   draft_->copies = asked.copies;
   for (EditOption& option : draft_->options) option.text = likely(option, *shown, state);
+  if (draft_->name != demonstration::Bridge::kName || state.selection) return;
+  const workbench::TimeSpan span = likely_bridge(*shown, state.playhead_s);
+  for (EditOption& option : draft_->options) {
+    if (option.option == "from") option.text = fmt::format("{:.3f}", span.begin_s);
+    if (option.option == "to") option.text = fmt::format("{:.3f}", span.end_s);
+  }
 }
 
 void EditForm::request_preview(Requests& requests) {

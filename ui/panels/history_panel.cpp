@@ -136,6 +136,18 @@ void HistoryPanel::draw_buttons(Ui& ui, const WorkbenchState& state, const Histo
   }
 }
 
+void HistoryPanel::keep_head_in_sight(const Ui& ui, const WorkbenchState& state) {
+  if (in_sight_ == state.head) return;
+  in_sight_ = state.head;
+  const auto found =
+      std::find_if(shown_.begin(), shown_.end(), [&](std::size_t i) { return rows_[i].node == state.head; });
+  if (found == shown_.end()) return;
+  const float top = ui.px(kRowHeight) * static_cast<float>(found - shown_.begin());
+  const float height = ImGui::GetWindowHeight();
+  const bool seen = top >= ImGui::GetScrollY() && top + ui.px(kRowHeight) <= ImGui::GetScrollY() + height;
+  if (!seen) ImGui::SetScrollY(std::max(top - 0.5F * height, 0.0F));
+}
+
 void HistoryPanel::draw_row(Ui& ui, const WorkbenchState& state, const HistoryRow& row, Requests& requests) {
   const bool head = row.node == state.head;
   const std::string label(label_of(state, row));
@@ -145,7 +157,8 @@ void HistoryPanel::draw_row(Ui& ui, const WorkbenchState& state, const HistoryRo
   const std::string help = label + ": go to this state; nothing is lost";
   const std::string value = head ? (checkpoint.empty() ? "HEAD" : "HEAD " + checkpoint) : checkpoint;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool clicked = selectable_row(ui, name, head, value, {.help = help, .reason = being_recorded(state), .height = height});
+  const bool clicked =
+      selectable_row(ui, name, head, value, {.help = help, .reason = being_recorded(state), .height = height});
   const ImVec2 next = ImGui::GetCursorScreenPos();
   const Rect rect{at.x, at.y, at.x + ImGui::GetContentRegionAvail().x, at.y + height};
   float left = rect.x0 + ui.px(8);
@@ -170,8 +183,7 @@ void HistoryPanel::draw_row(Ui& ui, const WorkbenchState& state, const HistoryRo
     left += ImGui::CalcTextSize(words.c_str()).x + ui.px(8);
   }
   const Rgba ink = state.live ? ui.theme().text_disabled : line ? ui.theme().text : ui.theme().text_dim;
-  list.AddText({left, text_y}, to_u32(ink),
-               fitted(label, std::max(clock_x - left - ui.px(6), 0.0F)).c_str());
+  list.AddText({left, text_y}, to_u32(ink), fitted(label, std::max(clock_x - left - ui.px(6), 0.0F)).c_str());
   list.AddText({clock_x, text_y}, to_u32(ui.theme().text_dim), clock.c_str());
   {
     const Scope scope(ui, name);
@@ -201,6 +213,7 @@ Requests HistoryPanel::draw(Ui& ui, const WorkbenchState& state) {
   const bool tall = ImGui::GetContentRegionAvail().y > ui.px(4.0F * kRowHeight);
   if (tall) ImGui::BeginChild("rows");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), 0.0F});
+  if (tall) keep_head_in_sight(ui, state);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(shown_.size()), ui.px(kRowHeight));
   while (clipper.Step()) {

@@ -21,6 +21,8 @@ class HistoryPanel final : public Panel {
   void draw_row(Ui& ui, const WorkbenchState& state, const workbench::HistoryRow& row, Requests& requests);
   void draw_lanes(const Ui& ui, const workbench::HistoryRow& row, const Rect& rect, bool head) const;
   void draw_buttons(Ui& ui, const WorkbenchState& state, const workbench::HistoryRow& row, Requests& requests) const;
+  /// Scrolls to where the project is, once it has moved.
+  void keep_head_in_sight(const Ui& ui, const WorkbenchState& state);
   bool answers(const WorkbenchState& state, const workbench::HistoryRow& row) const;
   bool searching() const { return !search_.empty(); }
 
@@ -36,6 +38,7 @@ class HistoryPanel final : public Panel {
   std::string name_;       ///< Of the checkpoint at HEAD, as typed.
   std::string name_seen_;  ///< As it is kept.
   std::int64_t name_of_ = -1;
+  std::int64_t in_sight_ = -1;
   std::vector<std::int64_t> asked_;  ///< Points whose pictures were asked for last.
 };
 

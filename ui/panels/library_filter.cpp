@@ -60,7 +60,9 @@ void LibraryFilter::draw_saved(Ui& ui, const WorkbenchState& state, Requests& re
   if (text_.empty() || !error_.empty()) return;
   if (known) {
     flow(button_width(ui, "Forget", icon::kTrash), ui.px(6));
-    if (button(ui, "Forget", {.icon = icon::kTrash, .help = "Take this filter out of the project", .reason = being_recorded(state)})) {
+    if (button(
+            ui, "Forget",
+            {.icon = icon::kTrash, .help = "Take this filter out of the project", .reason = being_recorded(state)})) {
       const auto found =
           std::find_if(saved.begin(), saved.end(), [&](const auto& each) { return each.second == text_; });
       requests.emplace_back(Command{workbench::CommitEdit{workbench::RemoveFilter{found->first}}});

@@ -169,7 +169,13 @@ void ProblemsPanel::draw_problem(Ui& ui, const WorkbenchState& state, const Prob
 void ProblemsPanel::draw_list(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "List");
   UniqueNames unique;
-  for (const Problem& problem : state.review->review.problems) {
+  // Errors first, each kind in the order of time.
+  std::vector<const Problem*> order;
+  for (const Problem& problem : state.review->review.problems) order.push_back(&problem);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Problem* a, const Problem* b) { return a->severity > b->severity; });
+  for (const Problem* each : order) {
+    const Problem& problem = *each;
     ImGui::PushID(problem.id.c_str());
     const bool selected = problem.id == selected_;
     if (draw_row(ui, problem, unique(problem.message), selected)) {

@@ -294,7 +294,11 @@ void TakeOverlay::draw(Ui& ui, const WorkbenchState& state, const ViewPort& view
   const auto fits = [&](const std::string& each) {
     return ImGui::CalcTextSize(each.c_str()).x <= view.rect.width() - ui.px(44);
   };
-  bottom = draw_pill(ui, "REC", fits(words) ? words : fits(rated) ? rated : time, view.rect, bottom, ui.theme().danger_fill, ui.theme().on_accent) -
+  bottom = draw_pill(ui, "REC",
+                     fits(words)   ? words
+                     : fits(rated) ? rated
+                                   : time,
+                     view.rect, bottom, ui.theme().danger_fill, ui.theme().on_accent) -
            ui.px(6);
   draw_arm_words(ui, state, view.rect, bottom);
 }

@@ -125,7 +125,8 @@ void TimelineMouse::move(const Ui& ui, const TimelineGround& ground, TimeRange& 
 void TimelineMouse::release(const TimelineGround& ground, TimeRange& range, Requests& requests) {
   const double in_s = gate_in_s(ground.shown);
   const double out_s = gate_out_s(ground.shown);
-  if (trims() && being_recorded(ground.state).empty() && (in_s != ground.shown.begin_s || out_s != ground.shown.end_s)) {
+  if (trims() && being_recorded(ground.state).empty() &&
+      (in_s != ground.shown.begin_s || out_s != ground.shown.end_s)) {
     const demonstration::Trim trim{in_s, out_s};
     requests.emplace_back(
         Command{workbench::CommitEdit{workbench::EditDemonstration{ground.state.demonstration, trim}}});

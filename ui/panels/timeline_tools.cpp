@@ -64,7 +64,11 @@ void TimelineTools::draw_numbers(Ui& ui, const WorkbenchState& state, const demo
     const auto end_s = seconds_in(to_);
     const bool understood = (begin_s || from_.empty()) && (end_s || to_.empty());
     if (understood && (begin_s || end_s)) {
-      const TimeSpan typed{begin_s.value_or(shown.begin_s), end_s.value_or(shown.end_s)};
+      TimeSpan typed{begin_s.value_or(shown.begin_s), end_s.value_or(shown.end_s)};
+      // What is typed last stands; the other end keeps its distance where it would be passed.
+      const double length_s = state.selection ? state.selection->length_s() : 1.0;
+      if (typed.begin_s >= typed.end_s && from) typed.end_s = std::min(typed.begin_s + length_s, shown.end_s);
+      if (typed.begin_s >= typed.end_s && to) typed.begin_s = std::max(typed.end_s - length_s, shown.begin_s);
       requests.emplace_back(Command{SetSelection{typed}});
     } else if (understood && state.selection) {
       requests.emplace_back(Command{SetSelection{}});

@@ -76,8 +76,9 @@ Result<Place> place_of(const Demonstration& document, const Splice& edit) {
     return fail(ErrorCode::kInvalidArgument, "what the clip replaces must end after it begins");
   }
   if (edit.at_s > document.end_s + Tick{kTicksPerSample}.seconds() || edit.at_s < 0.0) {
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("{:.2f} s is not within the demonstration, which ends at {:.2f} s", edit.at_s, document.end_s));
+    return fail(
+        ErrorCode::kInvalidArgument,
+        fmt::format("{:.2f} s is not within the demonstration, which ends at {:.2f} s", edit.at_s, document.end_s));
   }
   const SampleTrack& track = document.samples;
   Place place;

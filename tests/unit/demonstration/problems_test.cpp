@@ -258,15 +258,21 @@ TEST_CASE("a pause of less than 0.3 s at the end is left alone") {
 }
 
 TEST_CASE("a gripper that closes far from every block is a warning") {
-  const Demonstration document = changed(1000, [](std::vector<Sample>& samples) {
-    // At 6 rad/s, as fast as jaws may go.
-    for (int i = 0; i < 1000; ++i) {
-      samples[static_cast<std::size_t>(i)].arms[0].setpoint_jaw_rad = std::clamp(0.6 - 0.03 * (i - 500), 0.0, 0.6);
-    }
-  });
-  const auto found = of_kind(document, ProblemKind::kJaw);
+  const auto closing = [](bool block) {
+    return changed(1000, [block](std::vector<Sample>& samples) {
+      // At 6 rad/s, as fast as jaws may go.
+      for (int i = 0; i < 1000; ++i) {
+        Sample& sample = samples[static_cast<std::size_t>(i)];
+        sample.arms[0].setpoint_jaw_rad = std::clamp(0.6 - 0.03 * (i - 500), 0.0, 0.6);
+        if (block) sample.blocks[2].p = {0.0F, 0.2F, 0.0F};
+      }
+    });
+  };
+  const auto found = of_kind(closing(true), ProblemKind::kJaw);
   REQUIRE(found.size() == 1);
   CHECK(found[0].begin_s == doctest::Approx(2.585));
+  // Where nobody recorded the blocks, nobody knows.
+  CHECK(of_kind(closing(false), ProblemKind::kJaw).empty());
 }
 
 TEST_CASE("a hand-over needs a moment in which both arms hold the block") {

@@ -372,6 +372,20 @@ TEST_CASE("without names the numbers tell: a rising time, positions with quatern
   CHECK(array.map.time.rate_hz == 30.0);
 }
 
+TEST_CASE("a first column that rises is the time under any name, unless it counts rows") {
+  for (const char* name : {"Zeit [s]", "Zeit"}) {
+    std::string text = fmt::format("{},left_x_mm,left_y_mm,left_z_mm\n", name);
+    for (int i = 0; i < 20; ++i) text += fmt::format("{},1,2,3\n", 0.03 * i + (i > 9 ? 1.0 : 0.0));
+    const ColumnGuess guess = guess_columns_of_text(text).value().value();
+    CHECK(guess.map.time.column == name);
+    CHECK(guess.map.time.unit == "s");
+    CHECK(mentions(guess.doubts, "because it comes first and rises"));
+  }
+  std::string counted = "row,left_x_mm,left_y_mm,left_z_mm\n";
+  for (int i = 0; i < 20; ++i) counted += fmt::format("{},1,2,3\n", i);
+  CHECK(guess_columns_of_text(counted).value().value().map.time.column.empty());
+}
+
 TEST_CASE("decimal commas in every cell are no delimiter, with semicolons or tabs") {
   for (const char cut : {';', '\t'}) {
     std::string text = fmt::format("time_s{0}left_x_mm{0}left_y_mm{0}left_z_mm\n", cut);

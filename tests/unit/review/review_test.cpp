@@ -145,6 +145,29 @@ TEST_CASE("too fast a stretch is capped by its fix") {
   CHECK(of_kind(problems_of(mended), ProblemKind::kSpeed).empty());
 }
 
+TEST_CASE("jaws that are told to snap shut begin to close early enough, and still close") {
+  Demonstration document = transfer(1);
+  std::vector<Sample> samples = document.samples.to_vector();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].arms[0].setpoint_jaw_rad = i < 500 ? 0.7 : 0.02;
+    for (demonstration::CompactPose& block : samples[i].blocks) block.p = {};  // as in an import
+  }
+  document.samples = demonstration::SampleTrack(std::move(samples));
+  const auto snaps = [](const Demonstration& shown) {
+    auto found = of_kind(problems_of(shown), ProblemKind::kJaw);
+    std::erase_if(found, [](const Problem& each) { return each.message.find("the left jaws are told") != 0; });
+    return found;
+  };
+  const auto found = snaps(document);
+  REQUIRE(found.size() == 1);
+  const Demonstration mended = fixed(document, found[0]);
+  CHECK(snaps(mended).empty());
+  const auto jaw = [&](std::size_t i) { return Sample(mended.samples[i]).arms[0].setpoint_jaw_rad; };
+  CHECK(jaw(300) == 0.7);
+  CHECK(jaw(500) == doctest::Approx(0.02));
+  CHECK(jaw(mended.samples.size() - 1) == 0.02);
+}
+
 TEST_CASE("a gap is bridged by its fix, and a missing label proposed") {
   const Demonstration whole = transfer(1);
   DeleteSpan lift;

@@ -374,6 +374,22 @@ TEST_CASE("the classes of a field have the colours that its layer names") {
   CHECK(stage::colour_of(layer, {0}) == Rgba{4, 5, 6, 255});
 }
 
+TEST_CASE("what was not recorded of arms and blocks is worked out or left out") {
+  demonstration::Sample sample;
+  const spatial::Pose ready = kinematics::ready_pose(kinematics::ArmSide::kLeft);
+  sample.arms[0].measured = demonstration::CompactPose::from(ready);
+  sample.arms[1].measured = demonstration::CompactPose::from(spatial::Pose::translation({9.0, 9.0, 9.0}));
+  sample.blocks[3].p = {0.01F, 0.0F, 0.01F};
+  const stage::Pose3d pose = stage::pose_of(sample);
+  CHECK(pose.arm_known[0]);
+  CHECK_FALSE(pose.arm_known[1]);
+  const spatial::Pose X_WT = kinematics::forward(kinematics::psm_model(kinematics::ArmSide::kLeft), pose.joints[0]);
+  CHECK((X_WT.p - ready.p).norm() < 1e-6);
+  CHECK(pose.block_known == std::array{false, false, false, true, false, false});
+  const std::size_t all = loaded().scene(ready_pose(), {}, {}, bare()).nodes.size();
+  CHECK(loaded().scene(pose, {}, {}, bare()).nodes.size() < all);
+}
+
 TEST_CASE("the scale bar lies across the view of every camera, ten millimetres long, on the board") {
   stage::StageOptions options = bare();
   const std::size_t without = loaded().scene(ready_pose(), {}, {}, options).nodes.size();
