@@ -1,5 +1,7 @@
 #include "ui/theme.h"
 
+#include "engine/stage/stage.h"
+
 #include <algorithm>
 #include <cmath>
 
