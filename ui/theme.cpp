@@ -1,7 +1,5 @@
 #include "ui/theme.h"
 
-#include "engine/stage/stage.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -112,10 +110,6 @@ Theme make_theme(ThemeKind kind) {
       return high_contrast_theme();
   }
   return dark_theme();
-}
-
-Rgba segment_colour(demonstration::Segment segment) {
-  return stage::segment_colour(segment);
 }
 
 Rgba authority_colour(demonstration::Authority authority) {

@@ -10,6 +10,7 @@
 
 #include "engine/core/image.h"
 #include "engine/demonstration/recording.h"
+#include "engine/demonstration/segment_colour.h"
 
 namespace trocar::ui {
 
@@ -49,8 +50,7 @@ Theme make_theme(ThemeKind kind);
 /// How much of its colour the ground of a badge has.
 constexpr float kBadgeTint = 0.1F;
 
-/// A colour for a segment; always shown together with its letter.
-Rgba segment_colour(demonstration::Segment segment);
+using demonstration::segment_colour;
 Rgba authority_colour(demonstration::Authority authority);
 
 ImU32 to_u32(Rgba colour);

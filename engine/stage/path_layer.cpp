@@ -9,6 +9,7 @@
 
 #include "engine/core/check.h"
 #include "engine/demonstration/motion.h"
+#include "engine/demonstration/segment_colour.h"
 #include "engine/scene/primitives.h"
 #include "engine/stage/palette.h"
 
@@ -125,14 +126,6 @@ void add_path(const PathLayer& layer, scene::Scene& scene) {
   for (const Run& run : runs) add_run(layer, run, scene);
 }
 
-Rgba segment_colour(demonstration::Segment segment) {
-  // After Okabe and Ito, lightened so that dark letters can be read on them: timeline, badges and paths share them.
-  constexpr std::array<Rgba, demonstration::kSegmentCount> kColours{Rgba{86, 180, 233, 255}, Rgba{230, 159, 0, 255},
-                                                                    Rgba{62, 190, 148, 255}, Rgba{219, 141, 186, 255},
-                                                                    Rgba{222, 212, 90, 255}};
-  return kColours[static_cast<std::size_t>(segment)];
-}
-
 PathLayer path_of(const demonstration::Demonstration& demonstration, kinematics::ArmSide side) {
   constexpr Rgba kUnlabelled{160, 166, 174, 255};
   PathLayer layer;
@@ -150,7 +143,7 @@ PathLayer path_of(const demonstration::Demonstration& demonstration, kinematics:
     while (span != demonstration.segments.end() && t_s >= span->end_s) ++span;
     const bool labelled = span != demonstration.segments.end() && t_s >= span->begin_s;
     const Vector3d p_WT = demonstration::measured_tip(sample, kinematics::index_of(side));
-    const Rgba colour = labelled ? segment_colour(span->label) : kUnlabelled;
+    const Rgba colour = labelled ? demonstration::segment_colour(span->label) : kUnlabelled;
     const bool near = !layer.points.empty() && (p_WT - layer.points.back()).norm() < apart_m;
     if (--left > 0 && thinned && near && colour == layer.colours.back()) continue;
     layer.points.push_back(p_WT);

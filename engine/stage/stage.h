@@ -29,8 +29,8 @@ struct Pose3d {
   std::array<bool, peg_board::kBlockCount> block_known{true, true, true, true, true, true};
 };
 Pose3d pose_of(const simulation::WorldState& state);
-/// The arms are where their tools were measured, or set by an edit: joints that were not recorded, or no longer fit, are
-/// worked out anew; an arm for which there are none is not known.
+/// The arms are where their tools were measured, or set by an edit: joints that were not recorded, or no longer fit,
+/// are worked out anew; an arm for which there are none is not known.
 Pose3d pose_of(const demonstration::Sample& sample);
 
 /// A line through space, drawn as a tube.
@@ -80,7 +80,6 @@ class Stage {
 
 /// The gated path of a tip, coloured by segment (Okabe–Ito); of a long one about 20,000 points.
 PathLayer path_of(const demonstration::Demonstration& demonstration, kinematics::ArmSide side);
-Rgba segment_colour(demonstration::Segment segment);
 
 /// The picture with the scene's labels, as a fresh `LabelPainter` draws them.
 Image with_labels(const Image& picture, const scene::Scene& scene, const scene::Camera& camera);

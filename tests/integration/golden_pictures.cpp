@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/core/file.h"
+#include "engine/demonstration/segment_colour.h"
 #include "engine/media/picture_file.h"
 #include "engine/render/renderer.h"
 #include "engine/stage/stage.h"
@@ -68,7 +69,7 @@ stage::PathLayer spiral() {
   for (int i = 0; i < 1000; ++i) {
     const double t = 0.01 * i;
     path.points.emplace_back(-0.01 + 0.015 * std::cos(t), -0.025 + 0.015 * std::sin(t), 0.012 + 0.004 * t);
-    path.colours.push_back(stage::segment_colour(static_cast<demonstration::Segment>(i / 200)));
+    path.colours.push_back(demonstration::segment_colour(static_cast<demonstration::Segment>(i / 200)));
   }
   return path;
 }

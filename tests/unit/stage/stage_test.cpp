@@ -1,4 +1,5 @@
 #include "engine/stage/stage.h"
+#include "engine/demonstration/segment_colour.h"
 
 #include <doctest/doctest.h>
 
@@ -83,7 +84,7 @@ TEST_CASE("the whole stage with labels, both arms and a long path has fewer than
   for (int i = 0; i < 6000; ++i) {
     const double t = i * 0.002;
     path.points.emplace_back(0.02 * std::cos(t), 0.02 * std::sin(t), 0.02 + 0.01 * std::sin(3.0 * t));
-    path.colours.push_back(stage::segment_colour(static_cast<demonstration::Segment>(i / 1200)));
+    path.colours.push_back(demonstration::segment_colour(static_cast<demonstration::Segment>(i / 1200)));
   }
   stage::StageOptions options;
   options.highlighted_block = 2;
@@ -265,9 +266,9 @@ TEST_CASE("a straight path is one tube of two points, and each segment has its o
   const scene::Scene one = loaded().scene(ready_pose(), {path}, {}, bare());
   REQUIRE(one.nodes.size() == without + 1);
   CHECK(one.nodes.back().mesh->indices.size() / 3 == 2 * 6 + 2 * 4);  // Six sides and two caps.
-  path.colours.assign(path.points.size(), stage::segment_colour(demonstration::Segment::kA));
+  path.colours.assign(path.points.size(), demonstration::segment_colour(demonstration::Segment::kA));
   for (std::size_t i = 500; i < path.points.size(); ++i) {
-    path.colours[i] = stage::segment_colour(demonstration::Segment::kB);
+    path.colours[i] = demonstration::segment_colour(demonstration::Segment::kB);
   }
   CHECK(loaded().scene(ready_pose(), {path}, {}, bare()).nodes.size() == without + 2);
 }
@@ -283,8 +284,8 @@ TEST_CASE("a path that does not move is not drawn") {
 TEST_CASE("every segment has a colour of its own") {
   for (int a = 0; a < demonstration::kSegmentCount; ++a) {
     for (int b = 0; b < a; ++b) {
-      CHECK_FALSE(stage::segment_colour(static_cast<demonstration::Segment>(a)) ==
-                  stage::segment_colour(static_cast<demonstration::Segment>(b)));
+      CHECK_FALSE(demonstration::segment_colour(static_cast<demonstration::Segment>(a)) ==
+                  demonstration::segment_colour(static_cast<demonstration::Segment>(b)));
     }
   }
 }

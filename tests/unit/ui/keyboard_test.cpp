@@ -55,13 +55,12 @@ TEST_CASE("in every workspace Tab comes by everything that can be pressed, chose
       if (item.enabled && roles.contains(item.role) && item.reachable()) wanted.insert(item.path);
     }
     REQUIRE(wanted.size() > 20);
-    std::set<std::string> seen;
-    for (std::size_t i = 0; i < 3 * wanted.size() + 60; ++i) {
+    for (std::size_t i = 0; i < 3 * wanted.size() + 60 && !wanted.empty(); ++i) {
       CHECK(desk.driver().key("Tab"));
-      seen.insert(focus_of(desk).path());
+      wanted.erase(focus_of(desk).path());
     }
     std::string missed;
-    for (const std::string& path : wanted) missed += seen.contains(path) ? "" : path + "; ";
+    for (const std::string& path : wanted) missed += path + "; ";
     CHECK(missed == "");
   }
 }
