@@ -55,7 +55,8 @@ TEST_CASE("in every workspace Tab comes by everything that can be pressed, chose
       if (item.enabled && roles.contains(item.role) && item.reachable()) wanted.insert(item.path);
     }
     REQUIRE(wanted.size() > 20);
-    for (std::size_t i = 0; i < 3 * wanted.size() + 60 && !wanted.empty(); ++i) {
+    const std::size_t most = 3 * wanted.size() + 60;
+    for (std::size_t i = 0; i < most && !wanted.empty(); ++i) {
       CHECK(desk.driver().key("Tab"));
       wanted.erase(focus_of(desk).path());
     }
