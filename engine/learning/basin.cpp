@@ -1,7 +1,6 @@
 // All rollouts at once: the policy is a function from cell to cell, so each cell is looked at twice at most.
 #include <algorithm>
 #include <limits>
-#include <ranges>
 
 #include "engine/learning/policy.h"
 #include "engine/learning/rollout.h"
@@ -61,7 +60,7 @@ class BasinPass {
       path_.push_back(cell);
       cell += strides_[policy_[s]];
     }
-    for (const std::int32_t on_path : std::views::reverse(path_)) settle(on_path, end);
+    for (auto on_path = path_.rbegin(); on_path != path_.rend(); ++on_path) settle(*on_path, end);
   }
 
   void settle(std::int32_t cell, RolloutEnd end) {

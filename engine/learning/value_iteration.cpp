@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 
 #include "engine/learning/policy.h"
 
@@ -53,7 +52,7 @@ void iterate_values(Model& model) {
   for (bool improved = true; improved;) {
     improved = false;
     for (const Move& move : moves) improved = relax(model, move, value) || improved;
-    for (const Move& move : std::views::reverse(moves)) improved = relax(model, move, value) || improved;
+    for (auto move = moves.rbegin(); move != moves.rend(); ++move) improved = relax(model, *move, value) || improved;
   }
   std::fill(model.q.begin(), model.q.end(), kUnreached);
   for (const Move& move : moves) {
