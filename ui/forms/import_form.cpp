@@ -50,9 +50,8 @@ std::vector<double> numbers_of(const std::string& text) {
 
 /// What was found, without what is said as a doubt already.
 std::vector<std::string> found_beside(std::vector<std::string> found, const std::vector<std::string>& doubts) {
-  std::erase_if(found, [&](const std::string& words) {
-    return std::find(doubts.begin(), doubts.end(), words) != doubts.end();
-  });
+  std::erase_if(
+      found, [&](const std::string& words) { return std::find(doubts.begin(), doubts.end(), words) != doubts.end(); });
   return found;
 }
 

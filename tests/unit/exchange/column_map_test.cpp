@@ -406,7 +406,8 @@ TEST_CASE("axes in two units, cells beyond the columns and one column taken twic
   for (int i = 0; i < 20; ++i) text += fmt::format("{},{},2,3{}\n", i, i, i == 4 ? ",5" : "");
   ColumnGuess guess = guess_columns_of_text(text).value().value();
   CHECK(mentions(guess.doubts, "left_y_m is named in m, another axis of that tool in mm; all are taken as mm"));
-  CHECK(mentions(import_text(text, guess.map)->found, "1 row has more cells than there are columns, the first is line 6"));
+  CHECK(mentions(import_text(text, guess.map)->found,
+                 "1 row has more cells than there are columns, the first is line 6"));
   guess.map.arms[0].position->columns[1] = "left_x_mm";
   CHECK(import_text(text, guess.map).error().text() ==
         "the map takes two numbers of the left tool from one column, left_x_mm");
