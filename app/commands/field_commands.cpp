@@ -17,8 +17,9 @@ struct ExportArguments {
   std::string layer = "reward";
   std::string slice;
   bool montage = false;
-  std::string scale = "linear";
+  std::string scale;
   std::string map;
+  std::string vision = "full";
   int width = 1000;
   std::string out;
   std::vector<const CLI::Option*> of_pictures;  ///< What says how a picture looks, and numbers cannot heed.
@@ -35,9 +36,8 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
   CLI::Option* slice = verb.add_option("--slice", arguments.slice, "One slice: x=I, y=J or z=K");
   arguments.of_pictures = {
       verb.add_flag("--montage", arguments.montage, "All slices along z (without --slice)")->excludes(slice),
-      verb.add_option("--scale", arguments.scale, "linear, symlog or percentile")
-          ->check(CLI::IsMember({"linear", "symlog", "percentile"}))
-          ->capture_default_str(),
+      verb.add_option("--scale", arguments.scale,
+                      "linear, log, symlog, percentile or rank (else what suits the layer)"),
       verb.add_option("--map", arguments.map, "Colour map (else what suits the layer)"),
       verb.add_option("--width", arguments.width, "Width of the picture in pixels")
           ->check(CLI::Range(100, 8192))
@@ -69,11 +69,6 @@ std::string contents(const learning::Field& field) {
   return text;
 }
 
-plot::ScaleKind scale_from(const std::string& text) {
-  if (text == "symlog") return plot::ScaleKind::kSymlog;
-  return text == "percentile" ? plot::ScaleKind::kPercentile : plot::ScaleKind::kLinear;
-}
-
 Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png", ".svg", ".csv", ".npy"}));
   TROCAR_RETURN_IF_ERROR(check_heeded(arguments));
@@ -86,7 +81,9 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   if (!arguments.slice.empty()) {
     TROCAR_ASSIGN_OR_RETURN(options.slice, figure::slice_from(arguments.slice, field.grid));
   }
-  if (arguments.scale != "linear") options.scale = scale_from(arguments.scale);
+  if (!arguments.scale.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(options.scale, plot::scale_kind_from(arguments.scale));
+  }
   if (!arguments.map.empty()) {
     TROCAR_ASSIGN_OR_RETURN(options.map, plot::colour_map_from(arguments.map));
   }

@@ -94,7 +94,7 @@ Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_ASSIGN_OR_RETURN(Image picture, studio.picture(request));
   for (const stage::FieldLayer& layer : request.fields) {
-    picture = figure::with_legend(picture, *layer.field, layer.map, layer.scale, owner);
+    picture = figure::with_legend(picture, *layer.field, layer.colouring, owner);
   }
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_RETURN_IF_ERROR(media::write_png(arguments.out, picture));

@@ -6,10 +6,10 @@
 namespace trocar::figure {
 
 Image draw_field(const learning::Field& field, const FieldFigureOptions& options) {
-  const FieldLook look = look_of(field, options);
-  const Layout layout = layout_of(field, options, look);
+  const plot::Colouring colouring = colouring_of(field, options);
+  const Layout layout = layout_of(field, options, colouring);
   canvas::Canvas canvas(Image(layout.width, layout.height, {255, 255, 255, 255}));
-  draw_figure(canvas, field, options, look, layout);
+  draw_figure(canvas, field, options, colouring, layout);
   return canvas.picture();
 }
 
@@ -21,10 +21,10 @@ Status save_field(const learning::Field& field, const FieldFigureOptions& option
     return tl::unexpected(
         Error(ErrorCode::kInvalidArgument, "a field is saved as .png, .svg, .csv or .npy").at(path.string()));
   }
-  const FieldLook look = look_of(field, options);
-  const Layout layout = layout_of(field, options, look);
+  const plot::Colouring colouring = colouring_of(field, options);
+  const Layout layout = layout_of(field, options, colouring);
   canvas::Canvas canvas = canvas::Canvas::svg(layout.width, layout.height);
-  draw_figure(canvas, field, options, look, layout);
+  draw_figure(canvas, field, options, colouring, layout);
   return canvas.save_svg(path);
 }
 

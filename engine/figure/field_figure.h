@@ -10,7 +10,7 @@
 #include "engine/core/image.h"
 #include "engine/core/result.h"
 #include "engine/learning/field.h"
-#include "engine/plot/colour_map.h"
+#include "engine/plot/colouring.h"
 
 namespace trocar::figure {
 
@@ -26,6 +26,7 @@ struct FieldFigureOptions {
   std::optional<Slice> slice;  ///< None: a montage of all slices along z.
   plot::ColourMap map = plot::ColourMap::kViridis;
   plot::ScaleKind scale = plot::ScaleKind::kLinear;
+  plot::ColourVision vision = plot::ColourVision::kFull;  ///< The colours as this reader sees them.
   int width_px = 1000;          ///< At least 320; the figure grows where letters or cells would be too small to see.
   std::string subtitle;         ///< Whose field it is, below the title. Empty: none.
   learning::CellSequence path;  ///< Cells with a dot: the expert's. Empty: none.
@@ -42,9 +43,12 @@ FieldFigureOptions suggested_options(const learning::Field& field, const learnin
 /// One colour for each of `field.categories`: pale grey for a class that means "nothing here".
 std::vector<Rgba> category_colours(const learning::Field& field);
 
+/// The limits of its scale are fitted to the field.
+plot::Colouring colouring_of(const learning::Field& field, const FieldFigureOptions& options);
+
 /// The cells of one slice as a small picture, one pixel a cell, row 0 the largest vertical coordinate; unknown cells
 /// have alpha 0. Horizontal and vertical axes: x-slice y,z; y-slice x,z; z-slice y,x.
-Image slice_pixels(const learning::Field& field, const Slice& slice, plot::ColourMap map, const plot::Scale& scale);
+Image slice_pixels(const learning::Field& field, const Slice& slice, const plot::Colouring& colouring);
 
 /// Preconditions: the slice is one of the grid's, `path` and `safe` are of the same grid.
 Image draw_field(const learning::Field& field, const FieldFigureOptions& options);

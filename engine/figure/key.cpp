@@ -70,23 +70,23 @@ Clipping clipping_of(const learning::Field& field, const plot::Scale& scale) {
   return {field.low() < scale.low, field.high() > scale.high};
 }
 
-void draw_points(Canvas& canvas, const FieldLook& look, const Clipping& clipping, const KeyPlace& bar) {
+void draw_points(Canvas& canvas, const plot::Colouring& colouring, const Clipping& clipping, const KeyPlace& bar) {
   const double width = kBarWidth * bar.unit;
   const double tall = kPoint * bar.unit;
   const double bottom = bar.y + bar.height;
   const std::vector<canvas::Point> up{{bar.x, bar.y}, {bar.x + width / 2, bar.y - tall}, {bar.x + width, bar.y}};
   const std::vector<canvas::Point> down{{bar.x, bottom}, {bar.x + width / 2, bottom + tall}, {bar.x + width, bottom}};
   if (clipping.above) {
-    canvas.polygon(up, plot::colour(look.map, 1.0));
+    canvas.polygon(up, colouring.colour_at(1.0));
     canvas.polyline(up, bar.ink, 1.0);
   }
   if (clipping.below) {
-    canvas.polygon(down, plot::colour(look.map, 0.0));
+    canvas.polygon(down, colouring.colour_at(0.0));
     canvas.polyline(down, bar.ink, 1.0);
   }
 }
 
-void draw_bar(Canvas& canvas, const FieldLook& look, const Clipping& clipping, const KeyPlace& room) {
+void draw_bar(Canvas& canvas, const plot::Colouring& colouring, const Clipping& clipping, const KeyPlace& room) {
   KeyPlace bar = room;
   const double point = (kPoint + 1.0) * bar.unit;
   bar.y += clipping.above ? point : 0.0;
@@ -96,25 +96,25 @@ void draw_bar(Canvas& canvas, const FieldLook& look, const Clipping& clipping, c
   for (int i = 0; i < steps; ++i) {
     const double top = bar.y + bar.height * i / steps;
     canvas.rectangle(bar.x, top, width, bar.height / steps + (i + 1 < steps ? 0.5 : 0.0),
-                     plot::colour(look.map, 1.0 - (i + 0.5) / steps));
+                     colouring.colour_at(1.0 - (i + 0.5) / steps));
   }
   canvas.outline(bar.x, bar.y, width, bar.height, bar.ink, 1.0);
-  draw_points(canvas, look, clipping, bar);
-  const BarTicks ticks = bar_ticks(look.scale);
+  draw_points(canvas, colouring, clipping, bar);
+  const BarTicks ticks = bar_ticks(colouring.scale);
   const TextStyle style = label_style(bar.unit, bar.ink);
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-    const double y = std::round(bar.y + bar.height * (1.0 - look.scale.position(ticks.values[i])) - 0.5) + 0.5;
+    const double y = std::round(bar.y + bar.height * (1.0 - colouring.scale.position(ticks.values[i])) - 0.5) + 0.5;
     canvas.line({bar.x + width, y}, {bar.x + width + kTickLength * bar.unit, y}, bar.ink, 1.0);
     canvas.text({bar.x + width + (kTickLength + kGap) * bar.unit, y + 0.36 * style.size_px}, ticks.labels[i], style);
   }
 }
 
-void draw_classes(Canvas& canvas, const learning::Field& field, const FieldLook& look, const KeyPlace& place) {
+void draw_classes(Canvas& canvas, const learning::Field& field, const plot::Colouring& colouring, const KeyPlace& place) {
   const TextStyle style = label_style(place.unit, place.ink);
   const double size = kSwatch * place.unit;
   for (std::size_t i = 0; i < field.categories.size(); ++i) {
     const double y = place.y + kRow * place.unit * static_cast<double>(i);
-    canvas.rectangle(place.x, y, size, size, look.categories[i]);
+    canvas.rectangle(place.x, y, size, size, colouring.colour(static_cast<double>(i)));
     canvas.outline(place.x, y, size, size, kQuiet, 1.0);
     canvas.text({place.x + size + kGap * place.unit, y + size / 2 + 0.36 * style.size_px}, field.categories[i], style);
   }
@@ -122,21 +122,21 @@ void draw_classes(Canvas& canvas, const learning::Field& field, const FieldLook&
 
 }  // namespace
 
-void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options, const FieldLook& look,
+void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options, const plot::Colouring& colouring,
               const KeyPlace& place) {
   const std::vector<MarkRow> marks = mark_rows(field, options);
   const double row = kRow * place.unit;
   const double marks_height = static_cast<double>(marks.size()) * row;
   double y = place.y + place.height - marks_height + row - kSwatch * place.unit;
-  if (look.categories.empty()) {
+  if (colouring.categories.empty()) {
     const double head = field.unit.empty() ? 0.0 : row;
     if (head > 0.0) canvas.text({place.x, place.y + 0.6 * row}, field.unit, label_style(place.unit, place.ink));
     KeyPlace bar = place;
     bar.y += head;
     bar.height -= head + marks_height + (marks.empty() ? 0.0 : 0.8 * row);
-    draw_bar(canvas, look, clipping_of(field, look.scale), bar);
+    draw_bar(canvas, colouring, clipping_of(field, colouring.scale), bar);
   } else {
-    draw_classes(canvas, field, look, place);
+    draw_classes(canvas, field, colouring, place);
     y = place.y + row * (static_cast<double>(field.categories.size()) + 0.6);
   }
   const TextStyle style = label_style(place.unit, place.ink);
@@ -149,15 +149,15 @@ void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOpt
 }
 
 double key_width(const Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
-                 const FieldLook& look, double unit) {
+                 const plot::Colouring& colouring, double unit) {
   const TextStyle style = label_style(unit);
   double width = field.unit.empty() ? 0.0 : canvas.text_width(field.unit, style);
   const auto beside = [&](double left, std::string_view text) {
     width = std::max(width, left * unit + canvas.text_width(text, style));
   };
   for (const MarkRow& mark : mark_rows(field, options)) beside(kSwatch + kGap, mark.text);
-  if (look.categories.empty()) {
-    for (const std::string& label : bar_ticks(look.scale).labels) beside(kBarWidth + kTickLength + kGap, label);
+  if (colouring.categories.empty()) {
+    for (const std::string& label : bar_ticks(colouring.scale).labels) beside(kBarWidth + kTickLength + kGap, label);
   } else {
     for (const std::string& name : field.categories) beside(kSwatch + kGap, name);
   }

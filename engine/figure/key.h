@@ -14,9 +14,9 @@ struct KeyPlace {
 };
 
 void draw_key(canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
-              const FieldLook& look, const KeyPlace& place);
+              const plot::Colouring& colouring, const KeyPlace& place);
 /// How wide the key is, so that nothing is clipped.
 double key_width(const canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
-                 const FieldLook& look, double unit);
+                 const plot::Colouring& colouring, double unit);
 
 }  // namespace trocar::figure

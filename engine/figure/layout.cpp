@@ -133,11 +133,11 @@ Heading heading_of(const Canvas& canvas, const spatial::Grid& grid, const Layout
 }
 
 void draw_montage(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
-                  const FieldLook& look, const Layout& layout) {
+                  const plot::Colouring& colouring, const Layout& layout) {
   const Heading heading = heading_of(canvas, field.grid, layout);
   for (int k = 0; k < layout.panels; ++k) {
     const PanelPlace place = place_of(layout, k);
-    draw_panel(canvas, field, options, look, {2, k}, place);
+    draw_panel(canvas, field, options, colouring, {2, k}, place);
     const double base = place.y - 6 * layout.unit;
     canvas.text({place.x, base}, index_text(k), style(heading.size_px, Weight::kSemiBold, kInk, Align::kLeft));
     if (!heading.height) continue;
@@ -168,7 +168,7 @@ void draw_head(Canvas& canvas, const learning::Field& field, const FieldFigureOp
 
 }  // namespace
 
-Layout layout_of(const learning::Field& field, const FieldFigureOptions& options, const FieldLook& look) {
+Layout layout_of(const learning::Field& field, const FieldFigureOptions& options, const plot::Colouring& colouring) {
   Layout layout;
   const int n = field.grid.n;
   layout.width = std::max(320, options.width_px);
@@ -183,7 +183,7 @@ Layout layout_of(const learning::Field& field, const FieldFigureOptions& options
   layout.gap_x = montage ? px(14) : 0;
   layout.gap_y = montage ? px(32) : 0;
   const Canvas measure(Image(1, 1));
-  const int key = static_cast<int>(key_width(measure, field, options, look, layout.unit));
+  const int key = static_cast<int>(key_width(measure, field, options, colouring, layout.unit));
   const int room = layout.width - layout.left - px(32) - key - px(28) - (layout.columns - 1) * layout.gap_x;
   layout.cell_px = std::max(2, room / (layout.columns * n));
   layout.panel_px = layout.cell_px * n;
@@ -196,22 +196,22 @@ Layout layout_of(const learning::Field& field, const FieldFigureOptions& options
   return layout;
 }
 
-void draw_figure(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options, const FieldLook& look,
+void draw_figure(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options, const plot::Colouring& colouring,
                  const Layout& layout) {
   const double u = layout.unit;
   canvas.rectangle(0, 0, layout.width, layout.height, kPaper);
   draw_head(canvas, field, options, layout);
   if (options.slice) {
     const PanelPlace place = place_of(layout, 0);
-    draw_panel(canvas, field, options, look, *options.slice, place);
+    draw_panel(canvas, field, options, colouring, *options.slice, place);
     const FlatAxes axes = flat_axes(*options.slice);
     draw_horizontal_axis(canvas, field.grid, axes.horizontal, place, u);
     draw_vertical_axis(canvas, field.grid, axes.vertical, place, u);
   } else {
-    draw_montage(canvas, field, options, look, layout);
+    draw_montage(canvas, field, options, colouring, layout);
   }
   const int grid_height = layout.rows * layout.panel_px + (layout.rows - 1) * layout.gap_y;
-  draw_key(canvas, field, options, look,
+  draw_key(canvas, field, options, colouring,
            {static_cast<double>(layout.key_x), static_cast<double>(layout.top), static_cast<double>(grid_height), u});
 }
 

@@ -1,7 +1,7 @@
 /// How a figure is laid out on its canvas. Private to the module.
 #pragma once
 
-#include "engine/figure/field_look.h"
+#include "engine/figure/field_figure.h"
 
 namespace trocar::figure {
 
@@ -22,8 +22,8 @@ struct Layout {
   int key_x = 0;
 };
 
-Layout layout_of(const learning::Field& field, const FieldFigureOptions& options, const FieldLook& look);
+Layout layout_of(const learning::Field& field, const FieldFigureOptions& options, const plot::Colouring& colouring);
 void draw_figure(canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
-                 const FieldLook& look, const Layout& layout);
+                 const plot::Colouring& colouring, const Layout& layout);
 
 }  // namespace trocar::figure

@@ -24,11 +24,10 @@ double unit_of(const Image& picture) {
 
 }  // namespace
 
-Image with_legend(const Image& picture, const learning::Field& field, plot::ColourMap map, const plot::Scale& scale,
+Image with_legend(const Image& picture, const learning::Field& field, const plot::Colouring& colouring,
                   const std::string& owner) {
   using canvas::TextStyle;
   const double unit = unit_of(picture);
-  const FieldLook look = look_of(field, map, scale);
   canvas::Canvas canvas(picture);
   const TextStyle title{16.0 * unit, canvas::Weight::kSemiBold, kBright, canvas::Align::kLeft};
   const TextStyle small{13.0 * unit, canvas::Weight::kRegular, kSoft, canvas::Align::kLeft};
@@ -36,11 +35,11 @@ Image with_legend(const Image& picture, const learning::Field& field, plot::Colo
   // Cells that are not known are not drawn in the scene; a key without marks has no word for them.
   learning::Field known = field;
   std::replace_if(
-      known.values.begin(), known.values.end(), [](double value) { return !std::isfinite(value); }, scale.low);
-  const double bar = (look.categories.empty() ? kBar : kClass * static_cast<double>(field.categories.size())) * unit;
+      known.values.begin(), known.values.end(), [](double value) { return !std::isfinite(value); }, colouring.scale.low);
+  const double bar = (colouring.categories.empty() ? kBar : kClass * static_cast<double>(field.categories.size())) * unit;
   const double wide =
       2 * kPad * unit + std::max({canvas.text_width(field.title, title), canvas.text_width(owner, small),
-                                  key_width(canvas, known, {}, look, unit)});
+                                  key_width(canvas, known, {}, colouring, unit)});
   const double left = picture.width - wide - kPad * unit;
   const double top = kPad * unit;
   canvas.rectangle(left, top, wide, head + bar + 2 * kPad * unit, kCard, 6.0 * unit);
@@ -49,7 +48,7 @@ Image with_legend(const Image& picture, const learning::Field& field, plot::Colo
   canvas.text({x, base}, field.title, title);
   base += kTitleLine * unit;
   if (!owner.empty()) canvas.text({x, base - 2.0 * unit}, owner, small);
-  draw_key(canvas, known, {}, look, {x, top + kPad * unit + head, bar, unit, kBright});
+  draw_key(canvas, known, {}, colouring, {x, top + kPad * unit + head, bar, unit, kBright});
   return canvas.picture();
 }
 

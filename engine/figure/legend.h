@@ -10,7 +10,7 @@ namespace trocar::figure {
 
 /// The picture with a card in its upper right corner: the field's title, `owner` below it ("A exact, segment A"; empty:
 /// none), and the colour bar or the classes. The same pixels for the same arguments.
-Image with_legend(const Image& picture, const learning::Field& field, plot::ColourMap map, const plot::Scale& scale,
+Image with_legend(const Image& picture, const learning::Field& field, const plot::Colouring& colouring,
                   const std::string& owner);
 
 }  // namespace trocar::figure

@@ -130,8 +130,8 @@ void draw_safe_line(canvas::Canvas& canvas, canvas::Point a, canvas::Point b, do
 }
 
 void draw_panel(canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
-                const FieldLook& look, const Slice& slice, const PanelPlace& place) {
-  const Image pixels = slice_pixels(field, slice, look.map, look.scale);
+                const plot::Colouring& colouring, const Slice& slice, const PanelPlace& place) {
+  const Image pixels = slice_pixels(field, slice, colouring);
   draw_unknown(canvas, pixels, place);
   draw_cells(canvas, pixels, place);
   if (!options.safe.empty()) draw_outline(canvas, outline_of(field, options.safe, slice, place), place.cell_px);

@@ -1,7 +1,7 @@
 /// One slice on a canvas: cells, hatched unknowns, the safe set's outline, the expert's cells. Private to the module.
 #pragma once
 
-#include "engine/figure/field_look.h"
+#include "engine/figure/field_figure.h"
 #include "engine/figure/slice_geometry.h"
 
 namespace trocar::figure {
@@ -21,7 +21,7 @@ struct PanelPlace {
 };
 
 void draw_panel(canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
-                const FieldLook& look, const Slice& slice, const PanelPlace& place);
+                const plot::Colouring& colouring, const Slice& slice, const PanelPlace& place);
 /// The marks as `draw_panel` draws them, for the legend.
 void draw_path_mark(canvas::Canvas& canvas, canvas::Point centre, double radius);
 void draw_start_mark(canvas::Canvas& canvas, canvas::Point centre, double radius);

@@ -1,6 +1,7 @@
 /// Colour maps for fields: perceptually even and safe for colour-blind readers; no rainbow.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,18 +22,22 @@ Rgba colour(ColourMap map, double t);
 Rgba category(int number);
 constexpr int kCategoryCount = 8;
 
-/// From a value to 0 … 1. Symlog is linear within ± `linear`, logarithmic beyond.
-enum class ScaleKind { kLinear, kSymlog, kPercentile };
+/// From a value to 0 … 1. Log is of the size, where all values have one sign; symlog is linear within ± `linear`,
+/// logarithmic beyond; percentile is linear between the 2nd and the 98th; rank spends the colours evenly on the values.
+enum class ScaleKind { kLinear, kLog, kSymlog, kPercentile, kRank };
 std::string_view to_string(ScaleKind kind);
 /// Errors: kInvalidArgument with the names that there are.
 Result<ScaleKind> scale_kind_from(std::string_view text);
+/// In the order of the menus.
+const std::vector<ScaleKind>& all_scale_kinds();
 
-/// Precondition: low < high, linear > 0, all finite.
+/// Precondition: low < high, linear > 0, all finite; of log, 0 < low or high < 0; of rank, `sorted` is not empty.
 struct Scale {
   ScaleKind kind = ScaleKind::kLinear;
   double low = 0.0;
   double high = 1.0;
-  double linear = 1.0;  ///< Of symlog.
+  double linear = 1.0;                                 ///< Of symlog.
+  std::shared_ptr<const std::vector<double>> sorted = nullptr;  ///< Of rank: the finite values.
 
   double position(double value) const;  ///< Clamped to 0 … 1; NaN gives 0.
   double value(double position) const;
@@ -40,12 +45,14 @@ struct Scale {
 
 /// Limits from the finite values; percentile clips to the 2nd and 98th. All equal or none finite gives [v, v + 1].
 /// Centred at zero, the limits are ± the larger of the two, or ± 1. Symlog's `linear` is the 5th percentile of the
-/// sizes that are not zero, and at least 1/10,000 of the largest.
+/// sizes that are not zero, and at least 1/10,000 of the largest. Log leaves zeros out of the limits (they lie at the
+/// end nearest to zero); where there are values of both signs, or the scale is centred, it becomes symlog, and rank
+/// becomes percentile where it is centred.
 Scale fit_scale(ScaleKind kind, const std::vector<double>& values, bool centred_at_zero);
 
 /// About `count` round numbers (1, 2 or 5 times a power of ten apart) inside [low, high].
 std::vector<double> ticks(double low, double high, int count);
-/// The same for a scale: of symlog, zero and signed powers of ten.
+/// The same for a scale: of log, powers of ten; of symlog, zero and signed powers of ten; of rank, quantiles.
 std::vector<double> ticks(const Scale& scale, int count);
 /// U+2212.
 std::string_view unicode_minus();

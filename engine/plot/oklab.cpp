@@ -47,14 +47,6 @@ constexpr Matrix kLabFromRoots{{{0.2104542553, 0.7936177850, -0.0040720468},
 constexpr Matrix kRootsFromLab{
     {{1.0, 0.3963377774, 0.2158037573}, {1.0, -0.1055613458, -0.0638541728}, {1.0, -0.0894841775, -1.2914855480}}};
 
-// Machado, Oliveira and Fernandes (2009), full severity, on linear sRGB.
-constexpr Matrix kProtan{
-    {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
-constexpr Matrix kDeutan{
-    {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
-constexpr Matrix kTritan{
-    {{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}};
-
 }  // namespace
 
 Oklab to_oklab(Rgba colour) {
@@ -76,13 +68,6 @@ Oklab oklab_of(double lightness, double chroma, double hue_rad) {
 
 double distance(const Oklab& x, const Oklab& y) {
   return std::hypot(x.lightness - y.lightness, x.a - y.a, x.b - y.b);
-}
-
-Rgba seen_with(ColourVision vision, Rgba colour) {
-  const Matrix& m = vision == ColourVision::kProtan ? kProtan : vision == ColourVision::kDeutan ? kDeutan : kTritan;
-  Rgba seen = srgb_of(product(m, linear_of(colour)));
-  seen.a = colour.a;
-  return seen;
 }
 
 }  // namespace trocar::plot

@@ -20,8 +20,4 @@ Oklab oklab_of(double lightness, double chroma, double hue_rad);
 /// Euclidean: about 0.02 can just be told apart side by side.
 double distance(const Oklab& x, const Oklab& y);
 
-/// How a colour looks to a reader without red (protan), green (deutan) or blue (tritan) cones.
-enum class ColourVision { kProtan, kDeutan, kTritan };
-Rgba seen_with(ColourVision vision, Rgba colour);
-
 }  // namespace trocar::plot

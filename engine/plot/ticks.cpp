@@ -45,6 +45,25 @@ std::string with_true_minus(std::string_view text) {
   return out;
 }
 
+std::vector<double> quantile_ticks(const Scale& scale, int count) {
+  std::vector<double> out;
+  const int steps = std::max(1, count - 1);
+  for (int i = 0; i <= steps; ++i) {
+    const double value = scale.value(static_cast<double>(i) / steps);
+    if (out.empty() || value > out.back()) out.push_back(value);
+  }
+  return out;
+}
+
+std::vector<double> log_ticks(const Scale& scale, int count) {
+  const bool negative = scale.high < 0.0;
+  std::vector<double> out =
+      negative ? decades(-scale.high, -scale.low, count) : decades(scale.low, scale.high, count);
+  for (double& power : out) power = negative ? -power : power;
+  if (!negative) std::reverse(out.begin(), out.end());
+  return out.size() >= 2 ? out : ticks(scale.low, scale.high, count);
+}
+
 }  // namespace
 
 std::string_view unicode_minus() {
@@ -66,6 +85,8 @@ std::vector<double> ticks(double low, double high, int count) {
 }
 
 std::vector<double> ticks(const Scale& scale, int count) {
+  if (scale.kind == ScaleKind::kRank) return quantile_ticks(scale, count);
+  if (scale.kind == ScaleKind::kLog) return log_ticks(scale, count);
   if (scale.kind != ScaleKind::kSymlog) return ticks(scale.low, scale.high, count);
   const bool both = scale.low < 0.0 && scale.high > 0.0;
   const int each = std::max(1, both ? (count - 1) / 2 : count - 1);
@@ -105,7 +126,12 @@ std::vector<std::string> format_ticks(const Scale& scale, const std::vector<doub
   double gap = scale.high - scale.low;
   for (std::size_t i = 1; i < values.size(); ++i) gap = std::min(gap, std::abs(values[i] - values[i - 1]));
   std::vector<std::string> out;
-  const bool powers = scale.kind == ScaleKind::kSymlog && std::all_of(values.begin(), values.end(), is_zero_or_power);
+  if (scale.kind == ScaleKind::kRank) {
+    // Quantiles are no round numbers, and lie far apart here and close there.
+    for (const double v : values) out.push_back(format_tick(v, 0.01 * std::abs(v)));
+    return out;
+  }
+  const bool powers = (scale.kind == ScaleKind::kSymlog || scale.kind == ScaleKind::kLog) && std::all_of(values.begin(), values.end(), is_zero_or_power);
   out.reserve(values.size());
   for (const double v : values) out.push_back(format_tick(v, powers && v != 0.0 ? std::abs(v) : gap));
   return out;

@@ -128,7 +128,7 @@ std::vector<std::uint8_t> cells_above(const FieldLayer& layer) {
   std::vector<std::uint8_t> above(field.values.size(), 0);
   for (std::size_t s = 0; s < above.size(); ++s) {
     const double value = field.values[s];
-    above[s] = std::isfinite(value) && layer.scale.position(value) >= layer.voxel_threshold ? 1 : 0;
+    above[s] = std::isfinite(value) && layer.colouring.scale.position(value) >= layer.voxel_threshold ? 1 : 0;
   }
   return above;
 }
@@ -165,14 +165,9 @@ void add_voxels(const Meshes& meshes, const FieldLayer& layer, scene::Scene& sce
 }  // namespace
 
 std::optional<Rgba> colour_of(const FieldLayer& layer, spatial::CellIndex cell) {
-  const double value = layer.field->values[static_cast<std::size_t>(cell.value)];
-  if (!std::isfinite(value)) return std::nullopt;
-  if (layer.field->categorical) {
-    const long number = std::lround(value);
-    const bool listed = number >= 0 && static_cast<std::size_t>(number) < layer.categories.size();
-    return listed ? layer.categories[static_cast<std::size_t>(number)] : plot::category(static_cast<int>(number));
-  }
-  return plot::colour(layer.map, layer.scale.position(value));
+  const Rgba colour = layer.colouring.colour(layer.field->values[static_cast<std::size_t>(cell.value)]);
+  if (colour.a == 0) return std::nullopt;
+  return colour;
 }
 
 void add_field(const Meshes& meshes, const FieldLayer& layer, scene::Scene& scene) {

@@ -13,7 +13,7 @@
 #include "engine/demonstration/demonstration.h"
 #include "engine/kinematics/psm.h"
 #include "engine/learning/field.h"
-#include "engine/plot/colour_map.h"
+#include "engine/plot/colouring.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/world_state.h"
 #include "engine/spatial/grid.h"
@@ -46,10 +46,8 @@ struct FieldLayer {
   std::array<int, 3> slices{-1, -1, -1};  ///< x, y, z.
   bool voxels = false;
   double voxel_threshold = 0.9;  ///< Position on the scale, 0 … 1, above which a voxel is drawn.
-  plot::ColourMap map = plot::ColourMap::kViridis;
-  plot::Scale scale;
+  plot::Colouring colouring;
   float opacity = 0.85F;
-  std::vector<Rgba> categories;  ///< Of a categorical field, by class; `plot::category` beyond its end.
 };
 
 struct StageOptions {

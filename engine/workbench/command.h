@@ -20,6 +20,7 @@
 #include "engine/workbench/comparing.h"
 #include "engine/workbench/curves.h"
 #include "engine/workbench/edit.h"
+#include "engine/workbench/field_settings.h"
 #include "engine/workbench/import_settings.h"
 #include "engine/workbench/job_view.h"
 
@@ -138,15 +139,6 @@ struct SetCameraPreset {
 struct SetViewSize {
   int width = 960;
   int height = 540;
-};
-struct FieldSettings {
-  bool visible = true;
-  learning::Layer layer = learning::Layer::kReward;
-  std::array<int, 3> slices{-1, -1, -1};  ///< −1: none.
-  bool voxels = false;
-  plot::ScaleKind scale = plot::ScaleKind::kLinear;
-  float opacity = 0.8F;
-  bool operator==(const FieldSettings&) const = default;
 };
 /// A light ground behind the 3-D view, for a light window; films and rendered views keep theirs.
 struct SetBackdrop {

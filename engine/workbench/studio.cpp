@@ -57,12 +57,10 @@ stage::Pose3d ready_stage() {
 
 stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, const FieldSettings& settings) {
   stage::FieldLayer layer;
-  layer.map = figure::suggested_options(*field).map;
-  layer.scale = plot::fit_scale(settings.scale, field->values, layer.map == plot::ColourMap::kDiverging);
+  layer.colouring = colouring_of(*field, settings);
   layer.slices = settings.slices;
   layer.voxels = settings.voxels;
   layer.opacity = settings.opacity;
-  if (field->categorical) layer.categories = figure::category_colours(*field);
   layer.field = std::move(field);
   return layer;
 }

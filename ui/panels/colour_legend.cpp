@@ -20,7 +20,7 @@ void draw_classes(Ui& ui, const FieldShading& shading) {
     }
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + ui.px(2)}, {at.x + side, at.y + ui.px(2) + side},
-                                              to_u32(shading.colour(static_cast<double>(i))), ui.px(2));
+                                              to_u32(shading.colouring().colour(static_cast<double>(i))), ui.px(2));
     ImGui::Dummy({side, side});
     ImGui::SameLine(0.0F, ui.px(6));
     text(ui, names[i]);
@@ -29,20 +29,19 @@ void draw_classes(Ui& ui, const FieldShading& shading) {
 
 void draw_ticks(Ui& ui, const FieldShading& shading, const Rect& bar) {
   const FontScope font(ui.fonts().small);
-  const plot::Scale& scale = shading.scale();
+  const plot::Scale& scale = shading.colouring().scale;
   const int wanted = std::max(2, static_cast<int>(bar.width() / ui.px(62)));
-  const std::vector<double> values = plot::ticks(scale.low, scale.high, wanted);
-  const double step = values.size() > 1 ? values[1] - values[0] : 1.0;
+  const std::vector<double> values = plot::ticks(scale, wanted);
+  const std::vector<std::string> words = plot::format_ticks(scale, values);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float free_from = bar.x0 - 1.0F;
-  for (const double value : values) {
-    const float x = bar.x0 + static_cast<float>(scale.position(value)) * bar.width();
-    const std::string words = plot::format_tick(value, step);
-    const float width = ImGui::CalcTextSize(words.c_str()).x;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float x = bar.x0 + static_cast<float>(scale.position(values[i])) * bar.width();
+    const float width = ImGui::CalcTextSize(words[i].c_str()).x;
     const float left = std::clamp(x - 0.5F * width, bar.x0, bar.x1 - width);
     list.AddRectFilled({x, bar.y1}, {x + 1.0F, bar.y1 + ui.px(4)}, to_u32(ui.theme().text_dim));
     if (left < free_from) continue;
-    list.AddText({std::round(left), bar.y1 + ui.px(4)}, to_u32(ui.theme().text_dim), words.c_str());
+    list.AddText({std::round(left), bar.y1 + ui.px(4)}, to_u32(ui.theme().text_dim), words[i].c_str());
     free_from = left + width + ui.px(8);
   }
 }
@@ -81,12 +80,12 @@ void colour_legend(Ui& ui, const FieldShading& shading, double marked) {
   for (int i = 0; i < kSteps; ++i) {
     const float x0 = std::round(bar.x0 + bar.width() * static_cast<float>(i) / kSteps);
     const float x1 = std::round(bar.x0 + bar.width() * static_cast<float>(i + 1) / kSteps);
-    const Rgba colour = plot::colour(shading.map(), (i + 0.5) / kSteps);
+    const Rgba colour = shading.colouring().colour_at((i + 0.5) / kSteps);
     list.AddRectFilled({x0, bar.y0}, {x1, bar.y1}, to_u32(colour));
   }
   draw_ticks(ui, shading, bar);
   if (std::isfinite(marked)) {
-    const float x = std::round(bar.x0 + static_cast<float>(shading.scale().position(marked)) * bar.width());
+    const float x = std::round(bar.x0 + static_cast<float>(shading.colouring().scale.position(marked)) * bar.width());
     const float half = ui.px(4);
     list.AddTriangleFilled({x - half, bar.y0 - ui.px(6)}, {x + half, bar.y0 - ui.px(6)}, {x, bar.y0},
                            to_u32(ui.theme().text));

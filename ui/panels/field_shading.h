@@ -4,25 +4,21 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "engine/core/image.h"
 #include "engine/figure/field_figure.h"
 #include "engine/learning/field.h"
-#include "engine/plot/colour_map.h"
+#include "engine/workbench/field_settings.h"
 
 namespace trocar::ui {
 
 class FieldShading {
  public:
-  /// Cheap when neither the field nor the kind of scale changed.
-  void update(std::shared_ptr<const learning::Field> field, plot::ScaleKind kind);
+  /// Cheap when neither the field nor its colours changed.
+  void update(std::shared_ptr<const learning::Field> field, const workbench::FieldSettings& settings);
 
   const learning::Field& field() const { return *field_; }
-  plot::ColourMap map() const { return map_; }
-  const plot::Scale& scale() const { return scale_; }
-  /// The colour of a value; of a category by its number.
-  Rgba colour(double value) const;
+  const plot::Colouring& colouring() const { return colouring_; }
   /// One pixel a cell, as `figure::slice_pixels`; kept until the slice or the shading changes.
   const Image& slice(int axis, int index);
   /// Changes with what `slice` of that axis returns.
@@ -30,10 +26,8 @@ class FieldShading {
 
  private:
   std::shared_ptr<const learning::Field> field_;
-  plot::ScaleKind kind_ = plot::ScaleKind::kLinear;
-  plot::ColourMap map_ = plot::ColourMap::kViridis;
-  plot::Scale scale_;
-  std::vector<Rgba> categories_;  ///< Empty unless the field has classes.
+  workbench::FieldSettings settings_;
+  plot::Colouring colouring_;
   std::array<Image, 3> slices_;
   std::array<int, 3> indices_{-1, -1, -1};
   std::array<std::uint64_t, 3> versions_{};

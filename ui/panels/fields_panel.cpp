@@ -290,7 +290,7 @@ Requests FieldsPanel::draw(Ui& ui, const WorkbenchState& state) {
     }
     return requests;
   }
-  shading_.update(state.insight->field, state.field.scale);
+  shading_.update(state.insight->field, state.field);
   const spatial::Grid& grid = shading_.field().grid;
   if (placed_for_ != state.model) {
     placed_for_ = state.model;

@@ -81,14 +81,16 @@ TEST_CASE("slices are read as they are written, and others refused") {
 
 TEST_CASE("a slice's pixels are its cells, the largest vertical coordinate on top") {
   const learning::Field field = numbered(5);
-  const plot::Scale scale{plot::ScaleKind::kLinear, 0.0, 50000.0, 1.0};
+  plot::Colouring colouring;
+  colouring.map = plot::ColourMap::kMagma;
+  colouring.scale.high = 50000.0;
   const auto expected = [&](int x, int y, int z) {
     const double value = field.values[static_cast<std::size_t>(field.grid.index({x, y, z}).value)];
-    return std::isfinite(value) ? plot::colour(plot::ColourMap::kMagma, scale.position(value)) : Rgba{0, 0, 0, 0};
+    return std::isfinite(value) ? plot::colour(plot::ColourMap::kMagma, value / 50000.0) : Rgba{0, 0, 0, 0};
   };
-  const Image z_slice = slice_pixels(field, {2, 1}, plot::ColourMap::kMagma, scale);
-  const Image x_slice = slice_pixels(field, {0, 3}, plot::ColourMap::kMagma, scale);
-  const Image y_slice = slice_pixels(field, {1, 2}, plot::ColourMap::kMagma, scale);
+  const Image z_slice = slice_pixels(field, {2, 1}, colouring);
+  const Image x_slice = slice_pixels(field, {0, 3}, colouring);
+  const Image y_slice = slice_pixels(field, {1, 2}, colouring);
   for (int row = 0; row < 5; ++row) {
     for (int column = 0; column < 5; ++column) {
       CHECK(z_slice.at(column, row) == expected(4 - row, column, 1));
@@ -136,7 +138,7 @@ TEST_CASE("a field with nothing known, one value only, or another lattice still 
   std::fill(flat.values.begin(), flat.values.end(), 3.0);
   for (const learning::Field& field : {nothing, flat, numbered(1), numbered(44)}) {
     for (const plot::ScaleKind kind :
-         {plot::ScaleKind::kLinear, plot::ScaleKind::kSymlog, plot::ScaleKind::kPercentile}) {
+         plot::all_scale_kinds()) {
       FieldFigureOptions options = suggested_options(field);
       options.scale = kind;
       CHECK_FALSE(draw_field(field, options).empty());
@@ -189,7 +191,7 @@ TEST_CASE("the two texts over a panel of a montage never touch; where both do no
       learning::Field field = classes(n);
       if (wide_key) field.categories[0] = "reaches no goal within the steps that it has";
       const FieldFigureOptions options = suggested_options(field);
-      const Layout layout = layout_of(field, options, look_of(field, options));
+      const Layout layout = layout_of(field, options, colouring_of(field, options));
       const Image picture = draw_field(field, options);
       const int last = layout.panels - 1;  // it has the longest texts
       const int left = layout.left + last % layout.columns * (layout.panel_px + layout.gap_x);
@@ -225,8 +227,7 @@ TEST_CASE("a legend covers the upper right corner of a picture and nothing else"
   const Image picture(960, 540, {40, 50, 60, 255});
   for (const learning::Field& field : {numbered(22), classes(22)}) {
     const FieldFigureOptions options = suggested_options(field);
-    const Image with =
-        with_legend(picture, field, options.map, plot::fit_scale(options.scale, field.values, false), "A exact");
+    const Image with = with_legend(picture, field, colouring_of(field, options), "A exact");
     CHECK(with.width == 960);
     int corner = 0;
     int elsewhere = 0;

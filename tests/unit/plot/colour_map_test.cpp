@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "engine/plot/colour_vision.h"
 #include "engine/plot/oklab.h"
 
 using namespace trocar::plot;
@@ -123,10 +124,24 @@ TEST_CASE("names of maps and scales are read back, and others refused by name") 
     const auto map = static_cast<ColourMap>(i);
     CHECK(colour_map_from(to_string(map)).value() == map);
   }
-  for (const ScaleKind kind : {ScaleKind::kLinear, ScaleKind::kSymlog, ScaleKind::kPercentile}) {
-    CHECK(scale_kind_from(to_string(kind)).value() == kind);
+  for (const ScaleKind kind : all_scale_kinds()) CHECK(scale_kind_from(to_string(kind)).value() == kind);
+  for (const ColourVision vision : all_colour_visions()) {
+    CHECK(colour_vision_from(to_string(vision)).value() == vision);
   }
+  CHECK_FALSE(colour_vision_from("eagle"));
   const auto jet = colour_map_from("jet");
   REQUIRE_FALSE(jet);
   CHECK(jet.error().text().find("\"jet\"") != std::string::npos);
+}
+
+TEST_CASE("full vision changes nothing, grey keeps lightness alone, and greys look grey to everyone") {
+  const Rgba orange{230, 159, 0, 90};
+  CHECK(seen_with(ColourVision::kFull, orange) == orange);
+  const Rgba grey = seen_with(ColourVision::kGrey, orange);
+  CHECK(grey.r == grey.g);
+  CHECK(grey.g == grey.b);
+  CHECK(grey.a == 90);
+  for (const ColourVision vision : all_colour_visions()) {
+    CHECK(worst_byte(seen_with(vision, {128, 128, 128, 255}), {128, 128, 128, 255}) <= 1);
+  }
 }

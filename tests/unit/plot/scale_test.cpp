@@ -26,13 +26,60 @@ double from_thousandths(int n) {
 
 TEST_CASE("a value goes to its position and back on every kind of scale") {
   holds("round trip", [] {
-    const auto kind = static_cast<ScaleKind>(*rc::gen::inRange(0, 3));
+    const auto kind = *rc::gen::element(ScaleKind::kLinear, ScaleKind::kSymlog, ScaleKind::kPercentile);
     const double low = from_thousandths(*rc::gen::inRange(-900000, 900000));
     const double width = from_thousandths(*rc::gen::inRange(1, 900000));
     const Scale scale{kind, low, low + width, from_thousandths(*rc::gen::inRange(1, 50000))};
     const double value = low + width * from_thousandths(*rc::gen::inRange(0, 1001));
     RC_ASSERT(std::abs(scale.value(scale.position(value)) - value) <= 1e-9 * (std::abs(low) + width));
   });
+}
+
+TEST_CASE("log and rank bring the values they were fitted to back from their positions") {
+  holds("log", [] {
+    const double sign = *rc::gen::element(-1.0, 1.0);
+    std::vector<double> values;
+    for (const int e : *rc::gen::nonEmpty<std::vector<int>>()) values.push_back(sign * std::pow(10.0, e % 200 / 10.0));
+    values.push_back(0.0);
+    const Scale scale = fit_scale(ScaleKind::kLog, values, false);
+    RC_ASSERT(scale.kind == ScaleKind::kLog);
+    RC_ASSERT(scale.low < scale.high);
+    for (const double v : values) {
+      if (v == 0.0) continue;
+      RC_ASSERT(std::abs(scale.value(scale.position(v)) / v - 1.0) <= 1e-9);
+    }
+    RC_ASSERT(scale.position(0.0) == (sign > 0.0 ? 0.0 : 1.0));
+  });
+  holds("rank", [] {
+    const auto numbers = *rc::gen::nonEmpty<std::vector<int>>();
+    const std::vector<double> values(numbers.begin(), numbers.end());
+    const Scale scale = fit_scale(ScaleKind::kRank, values, false);
+    for (const double v : values) RC_ASSERT(scale.value(scale.position(v)) == doctest::Approx(v).epsilon(1e-9));
+  });
+}
+
+TEST_CASE("rank spends its colours evenly on the values, however far apart") {
+  const Scale scale = fit_scale(ScaleKind::kRank, {1.0, 2.0, 3.0, 1e9, kNotANumber}, false);
+  CHECK(scale.position(1.0) == 0.0);
+  CHECK(scale.position(2.0) == doctest::Approx(1.0 / 3.0));
+  CHECK(scale.position(3.0) == doctest::Approx(2.0 / 3.0));
+  CHECK(scale.position(1e9) == 1.0);
+  CHECK(scale.position(-5.0) == 0.0);
+  CHECK(scale.position(2.5) == doctest::Approx(0.5));
+  CHECK(ticks(scale, 4) == std::vector<double>{1.0, 2.0, 3.0, 1e9});
+}
+
+TEST_CASE("what the values do not allow becomes the nearest kind that they do") {
+  CHECK(fit_scale(ScaleKind::kLog, {-1.0, 2.0}, false).kind == ScaleKind::kSymlog);
+  CHECK(fit_scale(ScaleKind::kLog, {0.0}, false).kind == ScaleKind::kSymlog);
+  CHECK(fit_scale(ScaleKind::kLog, {1.0, 2.0}, true).kind == ScaleKind::kSymlog);
+  CHECK(fit_scale(ScaleKind::kRank, {1.0, 2.0}, true).kind == ScaleKind::kPercentile);
+  CHECK(fit_scale(ScaleKind::kRank, {}, false).kind == ScaleKind::kPercentile);
+}
+
+TEST_CASE("the ticks of a log scale are powers of ten, on either side of zero") {
+  CHECK(ticks(fit_scale(ScaleKind::kLog, {1.0, 1000.0}, false), 5) == std::vector<double>{1.0, 10.0, 100.0, 1000.0});
+  CHECK(ticks(fit_scale(ScaleKind::kLog, {-1.0, -100.0}, false), 5) == std::vector<double>{-100.0, -10.0, -1.0});
 }
 
 TEST_CASE("a scale never turns round, and clamps what is outside") {
@@ -129,7 +176,7 @@ TEST_CASE("neighbouring ticks never share a label") {
   holds("labels differ", [] {
     const double low = from_thousandths(*rc::gen::inRange(-900000, 900000));
     const double high = low + from_thousandths(*rc::gen::inRange(1, 900000));
-    const Scale scale{static_cast<ScaleKind>(*rc::gen::inRange(0, 3)), low, high, 0.01};
+    const Scale scale{*rc::gen::element(ScaleKind::kLinear, ScaleKind::kSymlog, ScaleKind::kPercentile), low, high, 0.01};
     const auto found = ticks(scale, *rc::gen::inRange(2, 10));
     const auto labels = format_ticks(scale, found);
     for (std::size_t i = 1; i < labels.size(); ++i) RC_ASSERT(labels[i] != labels[i - 1]);

@@ -207,14 +207,14 @@ TEST_CASE("a slice shows known cells in their colour and unknown ones see-throug
   stage::FieldLayer layer;
   layer.field = core_field();
   layer.slices = {10, -1, -1};
-  layer.map = plot::ColourMap::kViridis;
+  layer.colouring.map = plot::ColourMap::kViridis;
   const scene::Scene scene = loaded().scene(ready_pose(), {}, {layer}, bare());
   REQUIRE(scene.quads.size() == 1);
   const scene::Quad& quad = scene.quads.front();
   CHECK(quad.origin.x() == doctest::Approx(layer.field->grid.centre(layer.field->grid.index({10, 0, 0})).x()));
   const Image& texture = *quad.texture;
   const int texels = texture.width / layer.field->grid.n;
-  CHECK(texture.at(10 * texels + texels / 2, 10 * texels + texels / 2) == plot::colour(layer.map, 1.0));
+  CHECK(texture.at(10 * texels + texels / 2, 10 * texels + texels / 2) == plot::colour(layer.colouring.map, 1.0));
   int opaque = 0;
   for (int y = 0; y < texels; ++y) {
     for (int x = 0; x < texels; ++x) opaque += texture.at(2 * texels + x, 2 * texels + y).a > 128 ? 1 : 0;
@@ -228,14 +228,14 @@ TEST_CASE("the top row of a slice is the lattice's highest layer") {
   stage::FieldLayer layer;
   layer.field = field;
   layer.slices = {-1, 5, -1};
-  layer.scale.high = 21.0;
-  layer.map = plot::ColourMap::kGrey;
+  layer.colouring.scale.high = 21.0;
+  layer.colouring.map = plot::ColourMap::kGrey;
   const scene::Scene scene = loaded().scene(ready_pose(), {}, {layer}, bare());
   REQUIRE(scene.quads.size() == 1);
   const Image& texture = *scene.quads.front().texture;
   CHECK(scene.quads.front().v.z() > 0.0F);
-  CHECK(texture.at(20, 4) == plot::colour(layer.map, 1.0));
-  CHECK(texture.at(20, texture.height - 4) == plot::colour(layer.map, 0.0));
+  CHECK(texture.at(20, 4) == plot::colour(layer.colouring.map, 1.0));
+  CHECK(texture.at(20, texture.height - 4) == plot::colour(layer.colouring.map, 0.0));
 }
 
 TEST_CASE("slices outside of the lattice are left out") {
@@ -370,9 +370,10 @@ TEST_CASE("the classes of a field have the colours that its layer names") {
   field->values.assign(static_cast<std::size_t>(field->grid.cell_count()), 1.0);
   stage::FieldLayer layer;
   layer.field = field;
-  CHECK(stage::colour_of(layer, {0}) == plot::category(1));
-  layer.categories = {{1, 2, 3, 255}, {4, 5, 6, 255}};
+  layer.colouring.categories = {{1, 2, 3, 255}, {4, 5, 6, 255}};
   CHECK(stage::colour_of(layer, {0}) == Rgba{4, 5, 6, 255});
+  layer.colouring.categories.pop_back();
+  CHECK_FALSE(stage::colour_of(layer, {0}));
 }
 
 TEST_CASE("what was not recorded of arms and blocks is worked out or left out") {

@@ -1,4 +1,4 @@
-#include "engine/figure/field_look.h"
+#include "engine/figure/field_figure.h"
 
 #include <fmt/format.h>
 
@@ -92,36 +92,23 @@ FieldFigureOptions suggested_options(const learning::Field& field, const learnin
   return options;
 }
 
-FieldLook look_of(const learning::Field& field, plot::ColourMap map, const plot::Scale& scale) {
-  FieldLook look;
-  look.map = map == plot::ColourMap::kCategorical && !field.categorical ? plot::ColourMap::kViridis : map;
-  look.scale = scale;
-  if (field.categorical) look.categories = category_colours(field);
-  return look;
-}
-
-FieldLook look_of(const learning::Field& field, const FieldFigureOptions& options) {
+plot::Colouring colouring_of(const learning::Field& field, const FieldFigureOptions& options) {
+  plot::Colouring colouring;
   const bool centred = options.map == plot::ColourMap::kDiverging;
-  return look_of(field, options.map, plot::fit_scale(options.scale, field.values, centred));
+  colouring.map = options.map == plot::ColourMap::kCategorical && !field.categorical ? plot::ColourMap::kViridis : options.map;
+  colouring.scale = plot::fit_scale(options.scale, field.values, centred);
+  colouring.vision = options.vision;
+  if (field.categorical) colouring.categories = category_colours(field);
+  return colouring;
 }
 
-Rgba FieldLook::colour(double value) const {
-  constexpr Rgba kUnknown{0, 0, 0, 0};
-  if (!std::isfinite(value)) return kUnknown;
-  if (categories.empty()) return plot::colour(map, scale.position(value));
-  const double number = std::round(value);
-  if (number < 0.0 || number >= static_cast<double>(categories.size())) return kUnknown;
-  return categories[static_cast<std::size_t>(number)];
-}
-
-Image slice_pixels(const learning::Field& field, const Slice& slice, plot::ColourMap map, const plot::Scale& scale) {
-  const FieldLook look = look_of(field, map, scale);
+Image slice_pixels(const learning::Field& field, const Slice& slice, const plot::Colouring& colouring) {
   const int n = field.grid.n;
   Image pixels(n, n, {0, 0, 0, 0});
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) {
       const spatial::CellIndex cell = cell_at(field.grid, slice, {column, row});
-      pixels.set(column, row, look.colour(field.values[static_cast<std::size_t>(cell.value)]));
+      pixels.set(column, row, colouring.colour(field.values[static_cast<std::size_t>(cell.value)]));
     }
   }
   return pixels;

@@ -1,0 +1,23 @@
+#include "engine/workbench/field_settings.h"
+
+#include "engine/figure/field_figure.h"
+
+namespace trocar::workbench {
+
+plot::Colouring colouring_of(const learning::Field& field, const FieldSettings& settings) {
+  figure::FieldFigureOptions options = figure::suggested_options(field);
+  options.scale = settings.scale;
+  options.vision = settings.vision;
+  if (settings.map) options.map = *settings.map;
+  plot::Colouring colouring = figure::colouring_of(field, options);
+  if (!settings.limits) return colouring;
+  const auto [low, high] = *settings.limits;
+  const bool across = colouring.scale.kind == plot::ScaleKind::kLog && (low <= 0.0) != (high < 0.0);
+  if (low < high && !across) {
+    colouring.scale.low = low;
+    colouring.scale.high = high;
+  }
+  return colouring;
+}
+
+}  // namespace trocar::workbench
