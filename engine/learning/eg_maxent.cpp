@@ -13,8 +13,6 @@ namespace {
 using spatial::CellIndex;
 using spatial::kActionCount;
 
-constexpr int kEpisodesPerEpoch = 100;
-
 /// Where each action leads; off the lattice it leads back to the cell itself.
 std::vector<std::int32_t> successors(const spatial::Grid& grid) {
   std::vector<std::int32_t> next(static_cast<std::size_t>(grid.cell_count()) * kActionCount);
@@ -125,19 +123,22 @@ class EpisodeTrainer {
 }  // namespace
 
 Status train_eg_maxent(Model& model, Progress& progress) {
+  return train_eg_maxent(model, model.options.episodes / kEpisodesPerEpoch + 1, progress);
+}
+
+Status train_eg_maxent(Model& model, int epochs, Progress& progress) {
   EpisodeTrainer trainer(model);
-  double mismatch = 0.0;
-  int in_epoch = 0;
-  for (int episode = 0; episode < model.options.episodes; ++episode) {
-    trainer.run_episode();
-    mismatch += trainer.update_reward();
-    ++in_epoch;
-    if (in_epoch < kEpisodesPerEpoch && episode + 1 < model.options.episodes) continue;
+  int episode = 0;
+  for (int epoch = 0; epoch < epochs && episode < model.options.episodes; ++epoch) {
+    const int in_epoch = std::min(kEpisodesPerEpoch, model.options.episodes - episode);
+    double mismatch = 0.0;
+    for (int i = 0; i < in_epoch; ++i, ++episode) {
+      trainer.run_episode();
+      mismatch += trainer.update_reward();
+    }
     model.curve.push_back(mismatch / in_epoch);
-    mismatch = 0.0;
-    in_epoch = 0;
     if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the training was cancelled");
-    progress.set(static_cast<double>(episode + 1) / model.options.episodes);
+    progress.set(static_cast<double>(episode) / model.options.episodes);
   }
   if (model.options.method == Method::kEgMaxentPlus) iterate_values(model);
   return {};

@@ -19,5 +19,8 @@ namespace trocar::learning {
 /// `kEgMaxentPlus` ends with value iteration on the frozen θ (`value_iteration.h`).
 /// Errors: kCancelled. Precondition: `check_training` passed.
 Status train_eg_maxent(Model& model, Progress& progress);
+/// Stops after `epochs` of `kEpisodesPerEpoch` episodes each, or at the last episode.
+Status train_eg_maxent(Model& model, int epochs, Progress& progress);
+constexpr int kEpisodesPerEpoch = 100;
 
 }  // namespace trocar::learning

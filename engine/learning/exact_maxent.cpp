@@ -76,7 +76,7 @@ void write_solution(Model& model, const MaxentRegion& region, const std::vector<
 }
 
 /// The search from `guess` (by CellIndex); fills θ, V on the safe set, visits and curve.
-Status optimise(Model& model, const std::vector<double>& guess, Progress& progress) {
+Status optimise(Model& model, const std::vector<double>& guess, int iterations, Progress& progress) {
   MaxentObjective objective(model, guess);
   const MaxentRegion& region = objective.region();
   std::vector<double> theta(region.count(), exact_reward_limit());
@@ -106,7 +106,8 @@ Status optimise(Model& model, const std::vector<double>& guess, Progress& progre
   options.high = exact_reward_limit();
   options.tolerance = kGradientTolerance;
   options.memory = kStepsKept;
-  TROCAR_RETURN_IF_ERROR(minimise(function, options, theta, each_iteration, progress));
+  options.max_iterations = iterations;
+  if (iterations > 0) TROCAR_RETURN_IF_ERROR(minimise(function, options, theta, each_iteration, progress));
   std::vector<double> gradient(theta.size());
   objective.evaluate(theta, gradient, kFinalSolve);
   write_solution(model, region, theta);
@@ -116,7 +117,11 @@ Status optimise(Model& model, const std::vector<double>& guess, Progress& progre
 }  // namespace
 
 Status solve_exact(Model& model, const Model* previous, Progress& progress) {
-  TROCAR_RETURN_IF_ERROR(optimise(model, first_guess(model, previous), progress));
+  return solve_exact(model, previous, BoundedOptions{}.max_iterations, progress);
+}
+
+Status solve_exact(Model& model, const Model* previous, int iterations, Progress& progress) {
+  TROCAR_RETURN_IF_ERROR(optimise(model, first_guess(model, previous), iterations, progress));
   complete_partition(model, model.value);
   fill_action_values(model);
   return {};

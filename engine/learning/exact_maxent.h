@@ -18,5 +18,7 @@ namespace trocar::learning {
 /// `previous`, if given, is an `exact` model of the same grid to start from. Errors: kCancelled.
 /// Precondition: `check_training` passed.
 Status solve_exact(Model& model, const Model* previous, Progress& progress);
+/// Stops after `iterations` of the search, where θ is then not yet the best: to see the learning.
+Status solve_exact(Model& model, const Model* previous, int iterations, Progress& progress);
 
 }  // namespace trocar::learning
