@@ -30,6 +30,8 @@ std::vector<Rgba> colours_of(Layer layer) {
       return {kNothing, category(kGreen)};
     case Layer::kExpert:
       return {kNothing, category(kVermilion)};
+    case Layer::kObstacles:
+      return {kNothing, category(kOrange)};
     case Layer::kBasin:
       return {category(kBlue), category(kOrange), category(kVermilion), kNothing};
     default:
@@ -95,7 +97,8 @@ FieldFigureOptions suggested_options(const learning::Field& field, const learnin
 plot::Colouring colouring_of(const learning::Field& field, const FieldFigureOptions& options) {
   plot::Colouring colouring;
   const bool centred = options.map == plot::ColourMap::kDiverging;
-  colouring.map = options.map == plot::ColourMap::kCategorical && !field.categorical ? plot::ColourMap::kViridis : options.map;
+  colouring.map =
+      options.map == plot::ColourMap::kCategorical && !field.categorical ? plot::ColourMap::kViridis : options.map;
   colouring.scale = plot::fit_scale(options.scale, field.values, centred);
   colouring.vision = options.vision;
   if (field.categorical) colouring.categories = category_colours(field);

@@ -109,7 +109,8 @@ void draw_bar(Canvas& canvas, const plot::Colouring& colouring, const Clipping& 
   }
 }
 
-void draw_classes(Canvas& canvas, const learning::Field& field, const plot::Colouring& colouring, const KeyPlace& place) {
+void draw_classes(Canvas& canvas, const learning::Field& field, const plot::Colouring& colouring,
+                  const KeyPlace& place) {
   const TextStyle style = label_style(place.unit, place.ink);
   const double size = kSwatch * place.unit;
   for (std::size_t i = 0; i < field.categories.size(); ++i) {
@@ -122,8 +123,8 @@ void draw_classes(Canvas& canvas, const learning::Field& field, const plot::Colo
 
 }  // namespace
 
-void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options, const plot::Colouring& colouring,
-              const KeyPlace& place) {
+void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
+              const plot::Colouring& colouring, const KeyPlace& place) {
   const std::vector<MarkRow> marks = mark_rows(field, options);
   const double row = kRow * place.unit;
   const double marks_height = static_cast<double>(marks.size()) * row;

@@ -196,8 +196,8 @@ Layout layout_of(const learning::Field& field, const FieldFigureOptions& options
   return layout;
 }
 
-void draw_figure(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options, const plot::Colouring& colouring,
-                 const Layout& layout) {
+void draw_figure(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
+                 const plot::Colouring& colouring, const Layout& layout) {
   const double u = layout.unit;
   canvas.rectangle(0, 0, layout.width, layout.height, kPaper);
   draw_head(canvas, field, options, layout);

@@ -35,8 +35,10 @@ Image with_legend(const Image& picture, const learning::Field& field, const plot
   // Cells that are not known are not drawn in the scene; a key without marks has no word for them.
   learning::Field known = field;
   std::replace_if(
-      known.values.begin(), known.values.end(), [](double value) { return !std::isfinite(value); }, colouring.scale.low);
-  const double bar = (colouring.categories.empty() ? kBar : kClass * static_cast<double>(field.categories.size())) * unit;
+      known.values.begin(), known.values.end(), [](double value) { return !std::isfinite(value); },
+      colouring.scale.low);
+  const double bar =
+      (colouring.categories.empty() ? kBar : kClass * static_cast<double>(field.categories.size())) * unit;
   const double wide =
       2 * kPad * unit + std::max({canvas.text_width(field.title, title), canvas.text_width(owner, small),
                                   key_width(canvas, known, {}, colouring, unit)});

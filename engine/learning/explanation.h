@@ -12,9 +12,9 @@ namespace trocar::learning {
 /// What a person asks of a start from which the agent does not arrive.
 struct Explanation {
   RolloutEnd end = RolloutEnd::kDeadEnd;
-  spatial::CellIndex where;                     ///< The last cell before it is lost: of a loop, the first of the cycle.
-  CellSequence cycle;                           ///< Of a loop: its cells once round; else empty.
-  std::vector<spatial::CellIndex> unexplored;   ///< Neighbours of `where` (or of the cycle) in which nothing was tried.
+  spatial::CellIndex where;                    ///< The last cell before it is lost: of a loop, the first of the cycle.
+  CellSequence cycle;                          ///< Of a loop: its cells once round; else empty.
+  std::vector<spatial::CellIndex> unexplored;  ///< Neighbours of `where` (or of the cycle) in which nothing was tried.
   double margin = 0.0;  ///< Q of the best action less that of the second, at `where`; 0 if there are not two.
   int steps = 0;        ///< From the start to `where`.
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/learning/learning_history.h"
 #include "engine/learning/policy.h"
 #include "engine/learning/rollout.h"
 
@@ -21,7 +22,7 @@ struct LayerText {
   std::string_view title;
 };
 
-constexpr std::array<LayerText, 16> kLayers{{{"reward", "Reward θ"},
+constexpr std::array<LayerText, 18> kLayers{{{"reward", "Reward θ"},
                                              {"value", "Value V"},
                                              {"q+x", "Q of +x"},
                                              {"q-x", "Q of −x"},
@@ -36,7 +37,9 @@ constexpr std::array<LayerText, 16> kLayers{{{"reward", "Reward θ"},
                                              {"basin", "Outcome of a start"},
                                              {"steps", "Steps to the goal"},
                                              {"policy", "Policy"},
-                                             {"expert", "Expert cells"}}};
+                                             {"expert", "Expert cells"},
+                                             {"theta-change", "Change of θ in the last epoch"},
+                                             {"obstacles", "Cells that a peg touches"}}};
 
 bool known(const Model& model, std::size_t s) {
   return model.tried[s] != 0 || model.visits[s] != 0 || static_cast<std::int32_t>(s) == model.goal.value;
@@ -134,8 +137,26 @@ std::vector<double> steps_to_goal(const Model& model) {
   return values;
 }
 
+std::vector<double> theta_change(const Model& model) {
+  std::vector<double> values(model.theta.size(), kUnknown);
+  Progress never_cancelled;
+  const Result<Model> before = model_at_epoch(model, epoch_count(model) - 1, never_cancelled);
+  if (!before || epoch_count(model) == 0) return values;
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    if (known(model, s)) values[s] = model.theta[s] - before->theta[s];
+  }
+  return values;
+}
+
+std::vector<double> obstacle_classes(const Model& model, const spatial::CellSet* obstacles) {
+  if (obstacles == nullptr) return std::vector<double>(model.theta.size(), kUnknown);
+  return {obstacles->flags().begin(), obstacles->flags().end()};
+}
+
 std::vector<std::string> category_names(Layer layer) {
   switch (layer) {
+    case Layer::kObstacles:
+      return {"free", "a peg"};
     case Layer::kExplored:
       return {"no action", "some actions", "all six actions"};
     case Layer::kSafe:
@@ -151,7 +172,7 @@ std::vector<std::string> category_names(Layer layer) {
   }
 }
 
-std::vector<double> layer_values(const Model& model, Layer layer) {
+std::vector<double> layer_values(const Model& model, Layer layer, const spatial::CellSet* obstacles) {
   switch (layer) {
     case Layer::kReward:
       return rewards(model, expert_cells(model));
@@ -173,6 +194,10 @@ std::vector<double> layer_values(const Model& model, Layer layer) {
       return policy_actions(model);
     case Layer::kExpert:
       return expert_cells(model);
+    case Layer::kThetaChange:
+      return theta_change(model);
+    case Layer::kObstacles:
+      return obstacle_classes(model, obstacles);
     default:
       return action_values(model, static_cast<std::size_t>(layer) - static_cast<std::size_t>(Layer::kQPlusX));
   }
@@ -214,11 +239,11 @@ double Field::high() const {
   return std::isfinite(highest) ? highest : 1.0;
 }
 
-Field field(const Model& model, Layer layer) {
+Field field(const Model& model, Layer layer, const spatial::CellSet* obstacles) {
   Field result;
   result.layer = layer;
   result.grid = model.grid;
-  result.values = layer_values(model, layer);
+  result.values = layer_values(model, layer, obstacles);
   result.title = kLayers[static_cast<std::size_t>(layer)].title;
   if (layer == Layer::kVisits && model.options.method == Method::kExact) result.title = "Expected visits";
   if (layer == Layer::kSteps) result.unit = "steps";

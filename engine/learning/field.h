@@ -27,6 +27,8 @@ enum class Layer : std::uint8_t {
   kSteps,
   kPolicy,
   kExpert,
+  kThetaChange,  ///< In the last epoch: the model is trained again up to the one before (`learning_history.h`).
+  kObstacles,
 };
 /// As the command line writes them: "reward", "q+x", "margin" …
 std::string_view to_string(Layer layer);
@@ -47,6 +49,7 @@ struct Field {
   double low() const;   ///< Smallest finite value, 0 if none.
   double high() const;  ///< Largest finite value, 1 if none.
 };
-Field field(const Model& model, Layer layer);
+/// `obstacles`, of the model's grid, is what the layer of that name shows; without them nothing is known there.
+Field field(const Model& model, Layer layer, const spatial::CellSet* obstacles = nullptr);
 
 }  // namespace trocar::learning

@@ -122,9 +122,9 @@ Result<MonteCarlo> monte_carlo(const Model& model, const std::vector<CellIndex>&
                                const MonteCarloOptions& options, Progress& progress) {
   TROCAR_RETURN_IF_ERROR(check(options));
   const int max_steps = options.max_steps > 0 ? options.max_steps : 10 * model.grid.n;
-  const Board board{greedy_policy(model),  allowed_moves(model.grid, model.safe),
-                    strides(model.grid),   model.goal.value,
-                    max_steps,             options.epsilon};
+  const Board board{
+      greedy_policy(model), allowed_moves(model.grid, model.safe), strides(model.grid), model.goal.value, max_steps,
+      options.epsilon};
   MonteCarlo result;
   result.options = options;
   result.starts = starts;

@@ -30,9 +30,9 @@ struct MonteCarlo {
   int runs() const { return options.runs; }
 };
 
-/// Each start has a random stream of its own, drawn from the seed and its cell's number: neither the order of the starts
-/// nor the number of threads matters. A rollout without a known move fails where it stands.
-/// A cancelled one keeps what was finished (`finished`). Errors: kInvalidArgument for options out of range.
+/// Each start has a random stream of its own, drawn from the seed and its cell's number: neither the order of the
+/// starts nor the number of threads matters. A rollout without a known move fails where it stands. A cancelled one
+/// keeps what was finished (`finished`). Errors: kInvalidArgument for options out of range.
 Result<MonteCarlo> monte_carlo(const Model& model, const std::vector<spatial::CellIndex>& starts,
                                const MonteCarloOptions& options, Progress& progress);
 

@@ -137,9 +137,8 @@ Starts listed(std::string_view rest, const Model& model) {
   for (const std::string_view part : split(rest, ',')) {
     const auto found = range(part, model.grid.cell_count());
     if (!found) {
-      return fail(ErrorCode::kInvalidArgument,
-                  fmt::format("\"{}\" is no cell, nor a range of cells, within 0 … {}", part.substr(0, 40),
-                              model.grid.cell_count() - 1));
+      return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" is no cell, nor a range of cells, within 0 … {}",
+                                                           part.substr(0, 40), model.grid.cell_count() - 1));
     }
     for (int cell = found->first; cell <= found->last; ++cell) set.insert({cell});
   }

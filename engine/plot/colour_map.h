@@ -36,7 +36,7 @@ struct Scale {
   ScaleKind kind = ScaleKind::kLinear;
   double low = 0.0;
   double high = 1.0;
-  double linear = 1.0;                                 ///< Of symlog.
+  double linear = 1.0;                                          ///< Of symlog.
   std::shared_ptr<const std::vector<double>> sorted = nullptr;  ///< Of rank: the finite values.
 
   double position(double value) const;  ///< Clamped to 0 … 1; NaN gives 0.

@@ -9,7 +9,8 @@
 
 namespace trocar::plot {
 
-/// Without the long-, middle- or short-wave cones (Machado, Oliveira and Fernandes 2009, severity 1), or lightness only.
+/// Without the long-, middle- or short-wave cones (Machado, Oliveira and Fernandes 2009, severity 1), or lightness
+/// only.
 enum class ColourVision { kFull, kProtan, kDeutan, kTritan, kGrey };
 std::string_view to_string(ColourVision vision);
 /// Errors: kInvalidArgument with the names that there are.

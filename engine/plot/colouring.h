@@ -10,9 +10,9 @@ namespace trocar::plot {
 
 struct Colouring {
   ColourMap map = ColourMap::kViridis;
-  Scale scale;                              ///< One for the whole field, so that slices can be compared.
+  Scale scale;                                ///< One for the whole field, so that slices can be compared.
   ColourVision vision = ColourVision::kFull;  ///< The colours as this reader sees them.
-  std::vector<Rgba> categories;             ///< Not empty: values are class numbers.
+  std::vector<Rgba> categories;               ///< Not empty: values are class numbers.
 
   /// Alpha 0 for a value that is not finite, or a class without a name.
   Rgba colour(double value) const;

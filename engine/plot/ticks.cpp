@@ -57,8 +57,7 @@ std::vector<double> quantile_ticks(const Scale& scale, int count) {
 
 std::vector<double> log_ticks(const Scale& scale, int count) {
   const bool negative = scale.high < 0.0;
-  std::vector<double> out =
-      negative ? decades(-scale.high, -scale.low, count) : decades(scale.low, scale.high, count);
+  std::vector<double> out = negative ? decades(-scale.high, -scale.low, count) : decades(scale.low, scale.high, count);
   for (double& power : out) power = negative ? -power : power;
   if (!negative) std::reverse(out.begin(), out.end());
   return out.size() >= 2 ? out : ticks(scale.low, scale.high, count);
@@ -131,7 +130,8 @@ std::vector<std::string> format_ticks(const Scale& scale, const std::vector<doub
     for (const double v : values) out.push_back(format_tick(v, 0.01 * std::abs(v)));
     return out;
   }
-  const bool powers = (scale.kind == ScaleKind::kSymlog || scale.kind == ScaleKind::kLog) && std::all_of(values.begin(), values.end(), is_zero_or_power);
+  const bool powers = (scale.kind == ScaleKind::kSymlog || scale.kind == ScaleKind::kLog) &&
+                      std::all_of(values.begin(), values.end(), is_zero_or_power);
   out.reserve(values.size());
   for (const double v : values) out.push_back(format_tick(v, powers && v != 0.0 ? std::abs(v) : gap));
   return out;

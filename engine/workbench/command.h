@@ -158,13 +158,24 @@ struct SetField {
   FieldSettings settings;
 };
 struct RolloutSettings {
-  int around = 3;      ///< Starts within ± this many cells.
-  bool ghosts = true;  ///< Draw them in the 3-D view.
+  std::string starts = "around:3";  ///< As `learning::starts_from` reads it.
+  bool ghosts = true;               ///< Draw them in the 3-D view.
   int ghost_count = 60;
   bool operator==(const RolloutSettings&) const = default;
 };
 struct SetRollouts {
   RolloutSettings settings;
+};
+/// How models are looked at: beside which other one, at which epoch, and whether a model of the method `exact` follows
+/// its demonstrations while they are edited.
+struct LearningSettings {
+  ModelId second;  ///< None: the selected model alone.
+  int epoch = -1;  ///< Of the training; −1: its end.
+  bool follow = true;
+  bool operator==(const LearningSettings&) const = default;
+};
+struct SetLearning {
+  LearningSettings settings;
 };
 
 /// Runs the scripted operators live at 1 kHz in the simulation thread and records; `realtime` false: as fast as it
@@ -260,8 +271,8 @@ using Command =
                  SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch,
                  NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping,
                  SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetRollouts,
-                 RecordScripted, StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel,
-                 VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, ReadImport, EndImport,
-                 MakeImport, ExportDemonstrations, CancelJob, Report>;
+                 SetLearning, RecordScripted, StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake,
+                 TrainModel, VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, ReadImport,
+                 EndImport, MakeImport, ExportDemonstrations, CancelJob, Report>;
 
 }  // namespace trocar::workbench

@@ -1,6 +1,12 @@
 #include "engine/workbench/insight.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "engine/learning/learning_history.h"
+#include "engine/learning/start_set.h"
+#include "engine/peg_board/obstacles.h"
+#include "engine/workbench/jobs/train_job.h"
 
 namespace trocar::workbench {
 namespace {
@@ -26,32 +32,152 @@ ModelInsight insight_of(const std::shared_ptr<const ModelEntry>& entry) {
   return insight;
 }
 
+/// How many cells are on the path of one and not of the other.
+int cells_apart(const learning::Model& a, const learning::Model& b) {
+  const auto visited = [](const learning::Model& model) {
+    spatial::CellSet cells(model.grid);
+    for (const learning::CellSequence& expert : model.experts) {
+      for (const spatial::CellIndex cell : expert) cells.insert(cell);
+    }
+    return cells;
+  };
+  const spatial::CellSet of_a = visited(a);
+  const spatial::CellSet of_b = visited(b);
+  int apart = 0;
+  for (std::size_t s = 0; s < of_a.flags().size(); ++s) apart += of_a.flags()[s] != of_b.flags()[s] ? 1 : 0;
+  return apart;
+}
+
+int actions_apart(const learning::Model& a, const learning::Model& b) {
+  const std::vector<std::uint8_t> of_a = learning::greedy_policy(a);
+  const std::vector<std::uint8_t> of_b = learning::greedy_policy(b);
+  int apart = 0;
+  for (std::size_t s = 0; s < of_a.size(); ++s) apart += of_a[s] != of_b[s] ? 1 : 0;
+  return apart;
+}
+
+std::shared_ptr<const ModelEntry> with_model(const ModelEntry& entry, learning::Model model) {
+  auto made = std::make_shared<ModelEntry>(entry);
+  made->model = std::make_shared<const learning::Model>(std::move(model));
+  return made;
+}
+
 }  // namespace
 
+learning::Field field_of(const learning::Model& model, learning::Layer layer) {
+  if (layer != learning::Layer::kObstacles) return learning::field(model, layer);
+  const spatial::CellSet obstacles = peg_board::obstacle_cells(model.grid);
+  return learning::field(model, layer, &obstacles);
+}
+
 std::vector<learning::Rollout> sample_rollouts(const learning::Model& model, const std::vector<std::uint8_t>& policy,
-                                               const RolloutSettings& settings) {
-  const std::vector<spatial::CellIndex> starts = learning::starts_around(model, settings.around);
-  const std::size_t count = std::min(starts.size(), static_cast<std::size_t>(std::max(0, settings.ghost_count)));
+                                               const std::vector<spatial::CellIndex>& starts, int count) {
+  const std::size_t drawn = std::min(starts.size(), static_cast<std::size_t>(std::max(0, count)));
   std::vector<learning::Rollout> rollouts;
-  rollouts.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    rollouts.push_back(learning::rollout(model, policy, starts[i * starts.size() / count]));
+  rollouts.reserve(drawn);
+  for (std::size_t i = 0; i < drawn; ++i) {
+    rollouts.push_back(learning::rollout(model, policy, starts[i * starts.size() / drawn]));
   }
   return rollouts;
 }
 
+std::shared_ptr<const ModelEntry> InsightMaker::followed(const InsightRequest& request, Following& following) {
+  const learning::Model& stored = *request.entry->model;
+  const bool whole = std::all_of(request.experts.begin(), request.experts.end(), [](const auto& one) { return one; });
+  auto experts = whole ? expert_cells(request.experts, request.entry->segment, stored.grid)
+                       : Result<std::vector<learning::CellSequence>>(
+                             fail(ErrorCode::kNotFound, "a demonstration that it was learned from is gone"));
+  if (!experts) {
+    following.error = experts.error().text();
+    return request.entry;
+  }
+  if (*experts == stored.experts) return request.entry;
+  if (!followed_ || followed_->model->experts != *experts) {
+    const learning::Model& warm = followed_ ? *followed_->model : stored;
+    Progress never_cancelled;
+    Result<learning::Model> learned = learning::train_warm(warm, *experts, stored.options, never_cancelled);
+    if (!learned) {
+      following.error = learned.error().text();
+      return request.entry;
+    }
+    followed_ = with_model(*request.entry, std::move(*learned));
+  }
+  following.seconds = followed_->model->seconds;
+  following.cells_changed = cells_apart(*followed_->model, stored);
+  following.policy_changed = actions_apart(*followed_->model, stored);
+  return followed_;
+}
+
+std::shared_ptr<const ModelEntry> InsightMaker::at_epoch(const InsightRequest& request) {
+  if (early_ && early_epoch_ == request.epoch) return early_;
+  Progress never_cancelled;
+  Result<learning::Model> early = learning::model_at_epoch(*request.entry->model, request.epoch, never_cancelled);
+  if (!early) return request.entry;
+  early_ = with_model(*request.entry, std::move(*early));
+  early_epoch_ = request.epoch;
+  return early_;
+}
+
+void InsightMaker::add_second(const InsightRequest& request, ModelInsight& insight) {
+  if (!request.second) return;
+  const learning::Model& a = *insight.entry->model;
+  const learning::Model& b = *request.second->model;
+  if (a.grid != b.grid) {
+    insight.second_error = "The models have different lattices";
+    return;
+  }
+  if (compared_.a != insight.entry || compared_.b != request.second) {
+    auto comparison = std::make_shared<const learning::ModelComparison>(learning::compare_models(a, b));
+    auto outcomes = std::make_shared<const learning::Field>(
+        learning::paired_outcomes(a.grid, comparison->basin_a, comparison->basin_b));
+    compared_ = {insight.entry, request.second, std::move(comparison), std::move(outcomes)};
+  }
+  SecondModel second;
+  second.entry = request.second;
+  second.comparison = compared_.comparison;
+  second.outcomes = compared_.outcomes;
+  second.field = std::make_shared<const learning::Field>(field_of(b, request.layer));
+  second.difference = std::make_shared<const learning::Field>(learning::difference(*insight.field, *second.field));
+  insight.second = std::move(second);
+}
+
 std::shared_ptr<const ModelInsight> InsightMaker::make(const InsightRequest& request) {
   if (!request.entry) {
-    of_model_.reset();
+    *this = {};
     return nullptr;
   }
-  if (!of_model_ || of_model_->entry != request.entry) {
-    of_model_ = std::make_shared<const ModelInsight>(insight_of(request.entry));
+  if (stored_ != request.entry) {
+    stored_ = request.entry;
+    followed_.reset();
+    early_.reset();
+  }
+  std::optional<Following> following;
+  std::shared_ptr<const ModelEntry> shown = request.entry;
+  const int epochs = learning::epoch_count(*request.entry->model);
+  const bool early = request.epoch >= 0 && request.epoch < epochs;
+  if (early) {
+    shown = at_epoch(request);
+  } else if (!request.experts.empty()) {
+    shown = followed(request, following.emplace());
+  }
+  if (!of_model_ || of_model_->entry != shown) {
+    of_model_ = std::make_shared<const ModelInsight>(insight_of(shown));
   }
   auto insight = std::make_shared<ModelInsight>(*of_model_);
+  const learning::Model& model = *shown->model;
   insight->stale = request.stale;
-  insight->field = std::make_shared<const learning::Field>(learning::field(*request.entry->model, request.layer));
-  insight->ghosts = sample_rollouts(*request.entry->model, *insight->policy, request.rollouts);
+  insight->following = std::move(following);
+  insight->epochs = epochs;
+  insight->epoch = early ? request.epoch : epochs;
+  insight->field = std::make_shared<const learning::Field>(field_of(model, request.layer));
+  if (auto starts = learning::starts_from(request.rollouts.starts, model)) {
+    insight->starts = std::move(*starts);
+  } else {
+    insight->starts_error = starts.error().text();
+  }
+  insight->chosen = learning::summarise(*insight->basin, insight->starts);
+  insight->ghosts = sample_rollouts(model, *insight->policy, insight->starts, request.rollouts.ghost_count);
+  add_second(request, *insight);
   return insight;
 }
 

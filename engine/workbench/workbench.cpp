@@ -135,6 +135,19 @@ void Workbench::Impl::request_insight() {
   request.stale = request.entry && state.project->stale(*request.entry);
   request.layer = state.field.layer;
   request.rollouts = state.rollouts;
+  request.epoch = state.learning.epoch;
+  request.second = model(state.learning.second);
+  // What a sampling method learns anew differs by more than what was edited.
+  constexpr int kMostCellsToFollow = 44 * 44 * 44;
+  const bool exact = request.entry && request.entry->model &&
+                     request.entry->model->options.method == learning::Method::kExact &&
+                     request.entry->model->grid.cell_count() <= kMostCellsToFollow;
+  const bool edited = request.stale || (state.preview && state.preview->after);
+  if (state.learning.follow && exact && edited) {
+    for (const DemonstrationId id : request.entry->demonstrations) {
+      request.experts.push_back(id == state.demonstration ? shown() : demonstration(id));
+    }
+  }
   insight.request(std::move(request));
 }
 
@@ -204,6 +217,7 @@ bool Workbench::Impl::poll() {
   if (preview.update()) {
     state.preview = preview.answer();
     dirty = true;
+    request_insight();
   }
   follow_review();
   follow_preview_review();

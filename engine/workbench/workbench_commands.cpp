@@ -78,6 +78,7 @@ void Workbench::Impl::on(const SelectDemonstration& command) {
 void Workbench::Impl::on(const SelectModel& command) {
   if (!model(command.id)) return log(Severity::kError, fmt::format("there is no model {}", command.id.value));
   state.model = command.id;
+  state.learning.epoch = -1;
   request_insight();
 }
 
@@ -115,10 +116,17 @@ void Workbench::Impl::on(const SetField& command) {
 
 void Workbench::Impl::on(const SetRollouts& command) {
   const bool other_starts =
-      command.settings.around != state.rollouts.around || command.settings.ghost_count != state.rollouts.ghost_count;
+      command.settings.starts != state.rollouts.starts || command.settings.ghost_count != state.rollouts.ghost_count;
   state.rollouts = command.settings;
   dirty = true;
   if (other_starts) request_insight();
+}
+
+void Workbench::Impl::on(const SetLearning& command) {
+  if (command.settings == state.learning) return;
+  state.learning = command.settings;
+  dirty = true;
+  request_insight();
 }
 
 void Workbench::Impl::on(const TrainModel& command) {

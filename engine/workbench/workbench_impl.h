@@ -53,6 +53,7 @@ struct Workbench::Impl {
   void on(const ShowFilmstrip& command);
   void on(const SetField& command);
   void on(const SetRollouts& command);
+  void on(const SetLearning& command);
   void on(const RecordScripted& command);
   void on(const StopRecording& command);
   void on(const RecordByHand& command);

@@ -100,6 +100,7 @@ struct WorkbenchState {
   std::optional<scene::CameraPreset> camera_preset;  ///< Until the view is orbited.
   FieldSettings field;
   RolloutSettings rollouts;
+  LearningSettings learning;
   std::shared_ptr<const ModelInsight> insight;  ///< Of the selected model; null until worked out.
   bool insight_pending = false;
   std::optional<LiveView> live;

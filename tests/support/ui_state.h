@@ -73,6 +73,9 @@ inline workbench::ModelInsight made_insight(std::shared_ptr<const workbench::Mod
     }
   }
   insight.all = insight.around[4];
+  insight.starts = learning::starts_around(model, 3);
+  insight.chosen = insight.around[2];
+  insight.epochs = insight.epoch = static_cast<int>(model.curve.size());
   return insight;
 }
 

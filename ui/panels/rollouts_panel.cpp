@@ -80,7 +80,7 @@ void around_table(Ui& ui, const std::array<RolloutSummary, 5>& around, int chose
     if (selectable_row(ui, label, k == chosen, percent(summary.arrived, summary.count), {.height = ui.px(20)}) &&
         k != chosen) {
       workbench::RolloutSettings next = settings;
-      next.around = k;
+      next.starts = fmt::format("around:{}", k);
       requests.emplace_back(Command{workbench::SetRollouts{next}});
     }
     ImGui::SameLine(0.0F, 0.0F);
@@ -180,14 +180,24 @@ void ghost_table(Ui& ui, const std::vector<Rollout>& ghosts, const spatial::Grid
   ImGui::EndTable();
 }
 
+/// K of "around:K", 3 for other starts.
+int around_of(const workbench::RolloutSettings& settings) {
+  const bool near = settings.starts.starts_with("around:") && settings.starts.size() == 8;
+  return near ? std::clamp(settings.starts[7] - '0', 1, 5) : 3;
+}
+
 }  // namespace
 
 void RolloutsPanel::draw_controls(Ui& ui, const WorkbenchState& state, Requests& requests) {
   workbench::RolloutSettings settings = state.rollouts;
   bool changed = false;
   form_label(ui, "Start within");
-  changed |= slider_int(ui, "Start distance", settings.around, 1, 5, "± %d cells",
-                        {.help = "How far from the expert's start the agent is put, in cells of the lattice"});
+  int around = around_of(settings);
+  if (slider_int(ui, "Start distance", around, 1, 5, "± %d cells",
+                 {.help = "How far from the expert's start the agent is put, in cells of the lattice"})) {
+    settings.starts = fmt::format("around:{}", around);
+    changed = true;
+  }
   form_label(ui, "Ghosts");
   changed |= checkbox(ui, "Show", settings.ghosts, {.help = "Draw the paths in the 3-D view"});
   flow(ui.px(44) + ImGui::CalcTextSize("300 paths").x, ui.px(14));
@@ -219,7 +229,7 @@ Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
     badge(ui, icon::kWarning, "stale: a demonstration was edited since training", ui.theme().warning);
   }
   draw_controls(ui, state, requests);
-  const int k = std::clamp(state.rollouts.around, 1, 5);
+  const int k = around_of(state.rollouts);
   summary_block(ui, fmt::format("Within ±{} cells", k), state.insight->around[static_cast<std::size_t>(k - 1)]);
   ImGui::Dummy({0.0F, ui.px(3)});
   around_table(ui, state.insight->around, k, requests, state.rollouts);

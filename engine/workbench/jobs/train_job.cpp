@@ -25,6 +25,18 @@ std::string free_name(const Project& project, const std::string& wanted) {
 
 }  // namespace
 
+Result<std::vector<learning::CellSequence>> expert_cells(
+    const std::vector<std::shared_ptr<const demonstration::Demonstration>>& demonstrations,
+    demonstration::Segment segment, const spatial::Grid& grid) {
+  std::vector<learning::CellSequence> experts;
+  for (const auto& shown : demonstrations) {
+    auto path = demonstration::discretise(*shown, segment, grid);
+    if (!path) return tl::unexpected(std::move(path).error().in("learn from \"" + shown->name + "\""));
+    experts.push_back(std::move(path->cells));
+  }
+  return experts;
+}
+
 std::string model_name(const TrainModel& request) {
   std::string name =
       fmt::format("{} {}", learning::to_string(request.options.method), demonstration::letter(request.segment));
@@ -41,18 +53,18 @@ Result<ModelEntry> train_model(const Project& project, const TrainModel& request
   if (request.demonstrations.empty()) return fail(ErrorCode::kInvalidArgument, "no demonstration to learn from");
   const spatial::Grid grid = spatial::Grid::with_cells(request.grid);
   ModelEntry entry;
-  std::vector<learning::CellSequence> experts;
+  std::vector<std::shared_ptr<const demonstration::Demonstration>> demonstrations;
   for (const DemonstrationId id : request.demonstrations) {
     const auto found = project.demonstrations.find(id);
     if (found == project.demonstrations.end()) {
       return fail(ErrorCode::kNotFound, fmt::format("there is no demonstration {}", id.value));
     }
-    auto path = demonstration::discretise(*found->second, request.segment, grid);
-    if (!path) return tl::unexpected(std::move(path).error().in("learn from \"" + found->second->name + "\""));
-    experts.push_back(std::move(path->cells));
+    demonstrations.push_back(found->second);
     entry.demonstrations.push_back(id);
     entry.demonstration_hashes.push_back(found->second->hash());
   }
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<learning::CellSequence> experts,
+                          expert_cells(demonstrations, request.segment, grid));
   TROCAR_ASSIGN_OR_RETURN(learning::Model model, learning::train(grid, experts, request.options, progress));
   entry.name = request.name.empty() ? free_name(project, model_name(request)) : request.name;
   entry.segment = request.segment;

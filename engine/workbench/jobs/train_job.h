@@ -8,6 +8,11 @@
 
 namespace trocar::workbench {
 
+/// The cells of the segment in each of these demonstrations. Errors: those of `discretise`, naming the demonstration.
+Result<std::vector<learning::CellSequence>> expert_cells(
+    const std::vector<std::shared_ptr<const demonstration::Demonstration>>& demonstrations,
+    demonstration::Segment segment, const spatial::Grid& grid);
+
 /// "exact A": method and segment, with ε where it is used.
 std::string model_name(const TrainModel& request);
 

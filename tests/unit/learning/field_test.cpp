@@ -85,7 +85,7 @@ TEST_CASE("the margin is the best known Q less the second") {
 }
 
 TEST_CASE("layers have their names in both directions, and an unknown name lists them") {
-  CHECK(all_layers().size() == 16);
+  CHECK(all_layers().size() == 18);
   for (const Layer layer : all_layers()) CHECK(layer_from(to_string(layer)).value() == layer);
   CHECK(layer_from("q-z").value() == Layer::kQMinusZ);
   CHECK(layer_from("height").error().text().find("margin") != std::string::npos);
