@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <limits>
-#include <thread>
 
+#include "engine/core/parallel.h"
 #include "engine/core/random.h"
 #include "engine/learning/policy.h"
 #include "engine/learning/rollout.h"
@@ -83,39 +82,6 @@ void roll_start(const Board& board, std::size_t i, MonteCarlo& result) {
   }
 }
 
-/// Starts are handed out in blocks, in order, so that all before the first unfinished block are done.
-class Crew {
- public:
-  Crew(const Board& board, MonteCarlo& result, Progress& progress)
-      : board_(board), result_(result), progress_(progress) {}
-
-  int run(int threads) {
-    std::vector<std::thread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back([this] { work(); });
-    work();
-    for (std::thread& other : others) other.join();
-    return std::min(next_.load(), static_cast<int>(result_.starts.size()));
-  }
-
- private:
-  void work() {
-    const int count = static_cast<int>(result_.starts.size());
-    for (;;) {
-      if (progress_.cancelled()) return;
-      const int begin = next_.fetch_add(kStartsAtOnce);
-      if (begin >= count) return;
-      const int end = std::min(begin + kStartsAtOnce, count);
-      for (int i = begin; i < end; ++i) roll_start(board_, static_cast<std::size_t>(i), result_);
-      progress_.set(static_cast<double>(end) / count);
-    }
-  }
-
-  const Board& board_;
-  MonteCarlo& result_;
-  Progress& progress_;
-  std::atomic<int> next_{0};
-};
-
 }  // namespace
 
 Result<MonteCarlo> monte_carlo(const Model& model, const std::vector<CellIndex>& starts,
@@ -131,7 +97,12 @@ Result<MonteCarlo> monte_carlo(const Model& model, const std::vector<CellIndex>&
   result.arrived.assign(starts.size(), 0);
   result.steps.assign(starts.size(), 0);
   result.from_above.assign(starts.size(), 0);
-  result.finished = Crew(board, result, progress).run(options.threads);
+  const int count = static_cast<int>(starts.size());
+  const auto one = [&](int i) {
+    roll_start(board, static_cast<std::size_t>(i), result);
+    if (i % kStartsAtOnce == 0) progress.set(static_cast<double>(i) / count);
+  };
+  result.finished = parallel_for(count, options.threads, kStartsAtOnce, one, [&] { return progress.cancelled(); });
   return result;
 }
 
