@@ -294,6 +294,15 @@ constexpr std::array<RowData, 10> kEditRows{{
      false,
      cannot_train,
      show<PanelId::kTrain>},
+    {"model.compare",
+     "Edit",
+     "Compare models",
+     "Show two models beside each other and what they measure",
+     icon::kBalance,
+     {},
+     false,
+     {},
+     show<PanelId::kModels>},
 }};
 
 }  // namespace

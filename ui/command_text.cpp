@@ -120,8 +120,19 @@ std::string train_text(const TrainModel& command, const std::string& project) {
                                  ids(command.demonstrations), demonstration::letter(command.segment),
                                  learning::to_string(options.method), options.seed, command.grid);
   if (options.method != learning::Method::kExact) {
-    text += fmt::format(" --epsilon {:g} --episodes {}", options.epsilon, options.episodes);
+    text += fmt::format(" --epsilon {} --episodes {}", options.epsilon, options.episodes);
   }
+  const learning::TrainOptions usual;
+  const auto unusual = [&text](const char* option, auto value, auto usually) {
+    if (value != usually) text += fmt::format(" {} {}", option, value);
+  };
+  unusual("--theta-rate", options.theta_rate, usual.theta_rate);
+  unusual("--q-rate", options.q_rate, usual.q_rate);
+  unusual("--discount", options.discount, usual.discount);
+  unusual("--safe-radius", options.safe_radius, usual.safe_radius);
+  unusual("--start-spread", options.start_spread, usual.start_spread);
+  unusual("--prior", options.theta_prior, usual.theta_prior);
+  unusual("--regularisation", options.regularisation, usual.regularisation);
   if (!command.name.empty()) text += " --name " + shell_word(command.name);
   return text;
 }

@@ -8,6 +8,7 @@
 #include "ui/panels/history_panel.h"
 #include "ui/panels/inspector_panel.h"
 #include "ui/panels/library_panel.h"
+#include "ui/panels/models_panel.h"
 #include "ui/panels/problems_panel.h"
 #include "ui/panels/rollouts_panel.h"
 #include "ui/panels/timeline_panel.h"
@@ -44,6 +45,8 @@ std::unique_ptr<Panel> make_panel(PanelId panel, const std::shared_ptr<SharedTim
       return std::make_unique<ProblemsPanel>();
     case PanelId::kCurves:
       return std::make_unique<CurvesPanel>(time);
+    case PanelId::kModels:
+      return std::make_unique<ModelsPanel>();
     case PanelId::kDiff:
       return std::make_unique<DiffPanel>(time);
   }

@@ -49,6 +49,13 @@ constexpr PanelPage kTrain{
     "Choose demonstrations, segment and method; the training is a job, and the window can be used meanwhile.",
     {"model.train"},
     {}};
+constexpr PanelPage kModels{
+    "Two models beside each other",
+    "Model A is the selected one. The slices share their scale and move together; Difference shows B less A, Policy "
+    "where "
+    "the greedy action is another, Outcomes which starts arrive with which. The table has what both measure.",
+    {"model.train"},
+    {{{"Step a slice", "Wheel over it"}, {"Move the border", "Drag it, in Swipe"}}}};
 constexpr PanelPage kInspector{
     "All about what is selected",
     "Names and notes can be typed here; lengths, segments and where a recording comes from can be read.",
@@ -120,6 +127,8 @@ const PanelPage& page_of(PanelId panel) {
       return kProblems;
     case PanelId::kCurves:
       return kCurves;
+    case PanelId::kModels:
+      return kModels;
     case PanelId::kDiff:
       return kDiff;
   }

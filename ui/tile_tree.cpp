@@ -17,10 +17,11 @@ using Json = nlohmann::json;
 
 constexpr std::array<std::string_view, kPanelCount> kTitles{"Library", "View",      "Timeline", "Fields", "Rollouts",
                                                             "Train",   "Inspector", "History",  "Jobs",   "Log",
-                                                            "Edits",   "Problems",  "Curves",   "Diff"};
-constexpr std::array<const char*, kPanelCount> kIcons{
-    icon::kTable,   icon::kCube,  icon::kSliders, icon::kThLarge, icon::kRoad,    icon::kTrain, icon::kInfo,
-    icon::kHistory, icon::kTasks, icon::kList,    icon::kPencil,  icon::kWarning, icon::kChart, icon::kBranch};
+                                                            "Edits",   "Problems",  "Curves",   "Diff",   "Models"};
+constexpr std::array<const char*, kPanelCount> kIcons{icon::kTable, icon::kCube,   icon::kSliders, icon::kThLarge,
+                                                      icon::kRoad,  icon::kTrain,  icon::kInfo,    icon::kHistory,
+                                                      icon::kTasks, icon::kList,   icon::kPencil,  icon::kWarning,
+                                                      icon::kChart, icon::kBranch, icon::kBalance};
 constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceTitles{"Library", "Author", "Fields", "Rollouts"};
 
 Tile tabs(std::vector<PanelId> panels) {
@@ -362,28 +363,28 @@ Tile default_layout(Workspace workspace) {
   constexpr auto column = Tile::Kind::kColumn;
   switch (workspace) {
     case Workspace::kLibrary:
-      return split(
-          row, {0.52F, 0.48F},
-          {split(column, {0.72F, 0.28F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog})}),
-           split(column, {0.52F, 0.48F},
-                 {tabs({kView}), tabs({kInspector, kEdits, kTrain, kTimeline, kCurves, kDiff, kFields, kRollouts})})});
+      return split(row, {0.52F, 0.48F},
+                   {split(column, {0.72F, 0.28F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog})}),
+                    split(column, {0.52F, 0.48F},
+                          {tabs({kView}), tabs({kInspector, kEdits, kTrain, kTimeline, kCurves, kDiff, kFields, kModels,
+                                                kRollouts})})});
     case Workspace::kAuthor:
       return split(row, {0.245F, 0.515F, 0.24F},
                    {split(column, {0.64F, 0.36F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog})}),
                     split(column, {0.54F, 0.46F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kInspector, kEdits, kTrain, kFields, kRollouts})});
+                    tabs({kInspector, kEdits, kTrain, kFields, kModels, kRollouts})});
     case Workspace::kFields:
       return split(row, {0.235F, 0.405F, 0.36F},
                    {split(column, {0.6F, 0.4F},
                           {tabs({kLibrary}), tabs({kTrain, kInspector, kEdits, kHistory, kProblems, kJobs, kLog})}),
                     split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kFields, kRollouts})});
+                    tabs({kFields, kModels, kRollouts})});
     case Workspace::kRollouts:
       return split(row, {0.235F, 0.385F, 0.38F},
                    {split(column, {0.6F, 0.4F},
                           {tabs({kLibrary}), tabs({kTrain, kInspector, kEdits, kHistory, kProblems, kJobs, kLog})}),
                     split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kRollouts, kFields})});
+                    tabs({kRollouts, kFields, kModels})});
   }
   return tabs({kView});
 }

@@ -28,8 +28,9 @@ enum class PanelId : std::uint8_t {
   kProblems,
   kCurves,
   kDiff,
+  kModels,
 };
-constexpr std::size_t kPanelCount = 14;
+constexpr std::size_t kPanelCount = 15;
 /// "Library", as on its tab.
 std::string_view title(PanelId panel);
 const char* icon_of(PanelId panel);

@@ -2,47 +2,24 @@
 
 #include <optional>
 
+#include "app/commands/model_study_commands.h"
+#include "app/commands/train_arguments.h"
 #include "app/lookup.h"
 #include "app/options.h"
-#include "engine/learning/rollout.h"
+#include "engine/learning/model_comparison.h"
 #include "engine/workbench/jobs/train_job.h"
 
 namespace trocar::app {
 namespace {
 
-struct TrainArguments {
-  std::string project;
-  std::vector<std::string> demonstrations;
-  std::string segment = "A";
-  std::string method = "exact";
-  learning::TrainOptions options;
-  int grid = 22;
+struct TrainModelArguments {
+  TrainArguments training;
   std::string name;
 };
 
-void bind_train(CLI::App& verb, TrainArguments& arguments) {
-  verb.add_option("PROJECT", arguments.project, "The project file")->required();
-  verb.add_option("DEMO", arguments.demonstrations, "Demonstrations by id or name; the first gives start and goal")
-      ->required();
-  verb.add_option("--segment", arguments.segment, "A (to the block) or C (to the hand-off): what the agent does")
-      ->capture_default_str();
-  verb.add_option("--method", arguments.method, "eg-maxent, eg-maxent+ or exact")->capture_default_str();
-  verb.add_option("--epsilon", arguments.options.epsilon, "Exploration ε, 0 … 1 (0 … 0.1 in the paper)")
-      ->capture_default_str();
-  verb.add_option("--episodes", arguments.options.episodes, "Episodes N")->capture_default_str();
-  add_seed(verb, arguments.options.seed, "Seed of the random numbers");
-  verb.add_option("--grid", arguments.grid, "Cells a side")->capture_default_str();
+void bind_train(CLI::App& verb, TrainModelArguments& arguments) {
+  bind_training(verb, arguments.training);
   verb.add_option("--name", arguments.name, "Name of the model (else made from method and segment)");
-}
-
-/// Errors: kInvalidArgument for what is no segment, and for the operator's.
-Result<demonstration::Segment> agents_segment(const std::string& text) {
-  TROCAR_ASSIGN_OR_RETURN(const demonstration::Segment segment, segment_from(text));
-  if (segment == demonstration::Segment::kA || segment == demonstration::Segment::kC) return segment;
-  return fail(ErrorCode::kInvalidArgument,
-              fmt::format("segment {} is the operator's; the agent does A (to the block) and C (to the hand-off), so "
-                          "that only these are learned",
-                          demonstration::letter(segment)));
 }
 
 std::string method_text(const learning::Model& model) {
@@ -130,18 +107,11 @@ std::string line_of(const Json& json) {
                      json["seconds"].get<double>());
 }
 
-Result<Answer> run_train(const TrainArguments& arguments, Console& console) {
-  workbench::TrainModel request;
-  TROCAR_ASSIGN_OR_RETURN(request.segment, agents_segment(arguments.segment));
-  request.options = arguments.options;
-  TROCAR_ASSIGN_OR_RETURN(request.options.method, learning::method_from(arguments.method));
-  request.grid = arguments.grid;
-  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kWhole));
+Result<Answer> run_train(const TrainModelArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file,
+                          open_to_edit(arguments.training.project, console, Models::kWhole));
+  TROCAR_ASSIGN_OR_RETURN(workbench::TrainModel request, training_of(arguments.training, *file.project()));
   if (!arguments.name.empty()) request.name = free_model_name(*file.project(), arguments.name, console);
-  for (const std::string& text : arguments.demonstrations) {
-    TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), text));
-    request.demonstrations.push_back(demonstration->id);
-  }
   TROCAR_ASSIGN_OR_RETURN(workbench::ModelEntry trained,
                           workbench::train_model(*file.project(), request, console.progress()));
   if (trained.created.empty()) trained.created = iso_time(console.clock->unix_s());
@@ -209,13 +179,12 @@ Json change(std::optional<int> a_or_none, std::optional<int> b_or_none) {
   return {{"a", a}, {"b", b}, {"change_percent", a == 0 ? Json() : Json(100.0 * (b - a) / a)}};
 }
 
-Json around_json(const learning::Model& a, const Success& success_a, const Success& success_b) {
+Json around_json(const learning::ModelComparison& compared) {
   Json rows = Json::array();
-  for (int k = 1; k <= 5; ++k) {
-    const std::vector<spatial::CellIndex> starts = learning::starts_around(a, k);
-    const learning::RolloutSummary of_a = learning::summarise(success_a.basin, starts);
-    const learning::RolloutSummary of_b = learning::summarise(success_b.basin, starts);
-    rows.push_back({{"k", k},
+  for (std::size_t k = 0; k < compared.a.around.size(); ++k) {
+    const learning::RolloutSummary& of_a = compared.a.around[k];
+    const learning::RolloutSummary& of_b = compared.b.around[k];
+    rows.push_back({{"k", k + 1},
                     {"count", of_a.count},
                     {"arrived_a", of_a.arrived},
                     {"arrived_b", of_b.arrived},
@@ -241,13 +210,9 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
     };
     return change(of(a), of(b));
   };
-  const std::vector<std::uint8_t> policy_a = learning::greedy_policy(a);
-  const std::vector<std::uint8_t> policy_b = learning::greedy_policy(b);
-  int changed = 0;
-  for (std::size_t i = 0; i < policy_a.size(); ++i) changed += policy_a[i] == policy_b[i] ? 0 : 1;
-  const Success success_a = success_of(a);
-  const Success success_b = success_of(b);
-  const double changed_percent = 100.0 * changed / static_cast<double>(policy_a.size());
+  const learning::ModelComparison compared = learning::compare_models(a, b);
+  const int changed = compared.policy_changed;
+  const double changed_percent = 100.0 * changed / a.grid.cell_count();
 
   Answer answer;
   answer.json = {{"model_a", entry_a->id.value},
@@ -257,8 +222,16 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
                  {"fully_unexplored", explored(&learning::Exploration::fully_unexplored)},
                  {"policy_changed", changed},
                  {"policy_changed_percent", changed_percent},
-                 {"success", change(success_a.all.arrived, success_b.all.arrived)},
-                 {"around", around_json(a, success_a, success_b)}};
+                 {"policy_compared", compared.policy_compared},
+                 {"policy_differs", compared.policy_differs},
+                 {"mean_reward", {{"a", compared.a.mean_reward}, {"b", compared.b.mean_reward}}},
+                 {"mean_margin", {{"a", compared.a.mean_margin}, {"b", compared.b.mean_margin}}},
+                 {"mismatch", {{"a", compared.a.mismatch}, {"b", compared.b.mismatch}}},
+                 {"success", change(compared.a.all.arrived, compared.b.all.arrived)},
+                 {"only_a", compared.paired.wins_a},
+                 {"only_b", compared.paired.wins_b},
+                 {"mcnemar_p", compared.paired.mcnemar_p},
+                 {"around", around_json(compared)}};
   const auto percent = [&](const char* key) {
     const Json& value = answer.json[key]["change_percent"];
     return value.is_null() ? std::string("n/a") : fmt::format("{:+.0f} %", value.get<double>());
@@ -267,7 +240,7 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
                                percent("fully_explored"), percent("fully_unexplored"), changed);
   answer.text =
       fmt::format("{} against {}: {} ({:.1f} %), arrives from {} cells against {}", entry_b->name, entry_a->name,
-                  answer.summary, changed_percent, success_b.all.arrived, success_a.all.arrived);
+                  answer.summary, changed_percent, compared.b.all.arrived, compared.a.all.arrived);
   return answer;
 }
 
@@ -275,7 +248,8 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
 
 void add_model_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun = *root.add_subcommand("model", "Train models, list and compare them")->require_subcommand(1);
-  add_verb<TrainArguments>(noun, chosen, "train", "Learn reward and policy from demonstrations", bind_train, run_train);
+  add_verb<TrainModelArguments>(noun, chosen, "train", "Learn reward and policy from demonstrations", bind_train,
+                                run_train);
   add_verb<ListArguments>(
       noun, chosen, "list", "List the models",
       [](CLI::App& verb, ListArguments& a) { verb.add_option("PROJECT", a.project, "The project file")->required(); },
@@ -295,6 +269,7 @@ void add_model_commands(CLI::App& root, Action& chosen) {
         verb.add_option("MODEL_B", a.model_b, "Id or name")->required();
       },
       run_compare);
+  add_model_study_commands(noun, chosen);
 }
 
 }  // namespace trocar::app

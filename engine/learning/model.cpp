@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "engine/core/hash.h"
 #include "engine/learning/eg_maxent.h"
@@ -13,6 +14,7 @@ namespace trocar::learning {
 namespace {
 
 constexpr std::array<std::string_view, 3> kMethodNames{"eg-maxent", "eg-maxent+", "exact"};
+constexpr std::array<std::string_view, 3> kPresetNames{"paper", "product", "exact"};
 
 template <typename T>
 void hash_numbers(Hasher& hasher, const std::vector<T>& numbers) {
@@ -37,6 +39,27 @@ Result<Method> method_from(std::string_view text) {
   }
   return fail(ErrorCode::kInvalidArgument,
               fmt::format("\"{}\" is no learning method: use eg-maxent, eg-maxent+ or exact", text));
+}
+
+std::string_view to_string(Preset preset) {
+  return kPresetNames[static_cast<std::size_t>(preset)];
+}
+
+Result<Preset> preset_from(std::string_view text) {
+  for (std::size_t i = 0; i < kPresetNames.size(); ++i) {
+    if (text == kPresetNames[i]) return static_cast<Preset>(i);
+  }
+  return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" is no preset: use paper, product or exact", text));
+}
+
+TrainOptions options_of(Preset preset, int cells) {
+  constexpr std::array kMethods{Method::kEgMaxent, Method::kEgMaxentPlus, Method::kExact};
+  TrainOptions options;
+  options.method = kMethods[static_cast<std::size_t>(preset)];
+  const double finer = static_cast<double>(cells) / spatial::Grid{}.n;
+  options.safe_radius = static_cast<int>(std::lround(options.safe_radius * finer));
+  options.start_spread = static_cast<int>(std::lround(options.start_spread * finer));
+  return options;
 }
 
 std::uint64_t Model::hash() const {

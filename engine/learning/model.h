@@ -31,7 +31,16 @@ struct TrainOptions {
   int start_spread = 6;          ///< Training starts within ± this many cells (eg-maxent+, exact).
   double theta_prior = -6.0;     ///< θ₀ of `exact`.
   double regularisation = 0.02;  ///< λ of `exact`.
+  bool operator==(const TrainOptions&) const = default;
 };
+
+/// What the paper has (Table I), what the product learns with, and what needs no sampling.
+enum class Preset : std::uint8_t { kPaper, kProduct, kExact };
+std::string_view to_string(Preset preset);  ///< "paper", "product", "exact"
+/// Errors: kInvalidArgument with the names that there are.
+Result<Preset> preset_from(std::string_view text);
+/// On a lattice of `cells` a side: lengths in cells keep their metres.
+TrainOptions options_of(Preset preset, int cells = 22);
 
 /// One expert trajectory as cells, first to last; consecutive cells differ by one action.
 using CellSequence = std::vector<spatial::CellIndex>;

@@ -3,6 +3,12 @@
 #include <utility>
 
 namespace trocar::ui {
+namespace {
+
+// All shadings belong to the window's thread.
+std::uint64_t last_revision = 0;
+
+}  // namespace
 
 void FieldShading::update(std::shared_ptr<const learning::Field> field, const workbench::FieldSettings& settings) {
   workbench::FieldSettings colours = settings;
@@ -14,6 +20,20 @@ void FieldShading::update(std::shared_ptr<const learning::Field> field, const wo
   field_ = std::move(field);
   settings_ = colours;
   colouring_ = workbench::colouring_of(*field_, settings_);
+  revision_ = ++last_revision;
+  indices_.fill(-1);
+}
+
+void FieldShading::update(std::shared_ptr<const learning::Field> field, const workbench::FieldSettings& settings,
+                          const plot::Colouring& colouring) {
+  const bool same = field_ == field && colouring_.map == colouring.map && colouring_.vision == colouring.vision &&
+                    colouring_.scale.kind == colouring.scale.kind && colouring_.scale.low == colouring.scale.low &&
+                    colouring_.scale.high == colouring.scale.high && colouring_.scale.linear == colouring.scale.linear;
+  if (same) return;
+  field_ = std::move(field);
+  settings_ = settings;
+  colouring_ = colouring;
+  revision_ = ++last_revision;
   indices_.fill(-1);
 }
 

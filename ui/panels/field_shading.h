@@ -17,10 +17,16 @@ class FieldShading {
   /// Cheap when neither the field nor its colours changed.
   void update(std::shared_ptr<const learning::Field> field, const workbench::FieldSettings& settings);
 
+  /// With colours that are given: a scale that two fields share.
+  void update(std::shared_ptr<const learning::Field> field, const workbench::FieldSettings& settings,
+              const plot::Colouring& colouring);
+
   const learning::Field& field() const { return *field_; }
   const plot::Colouring& colouring() const { return colouring_; }
   /// One pixel a cell, as `figure::slice_pixels`; kept until the slice or the shading changes.
   const Image& slice(int axis, int index);
+  /// Changes with every field and colouring, unique among all shadings.
+  std::uint64_t revision() const { return revision_; }
   /// Changes with what `slice` of that axis returns.
   std::uint64_t version(int axis) const { return versions_[static_cast<std::size_t>(axis)]; }
 
@@ -32,6 +38,7 @@ class FieldShading {
   std::array<int, 3> indices_{-1, -1, -1};
   std::array<std::uint64_t, 3> versions_{};
   std::uint64_t next_version_ = 1;
+  std::uint64_t revision_ = 0;
 };
 
 /// Which board axes run right and up in a slice across `axis` (0 x, 1 y, 2 z), as `figure::slice_pixels`.

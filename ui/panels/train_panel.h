@@ -1,4 +1,5 @@
-/// The form that starts a training: which demonstrations, which segment, which method, and its few numbers.
+/// The form that starts a training: demonstrations, segment, a preset and every hyperparameter; and how the training of
+/// the selected model went, epoch by epoch.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +16,21 @@ class TrainPanel final : public Panel {
 
  private:
   void draw_choice(Ui& ui, const WorkbenchState& state);
-  void draw_options(Ui& ui);
+  void draw_method(Ui& ui);
+  void draw_parameters(Ui& ui);
+  void draw_history(Ui& ui, const WorkbenchState& state, Requests& requests);
+  /// Goes on by an epoch when the last one has been shown.
+  void play(Ui& ui, const WorkbenchState& state, Requests& requests);
   std::string reason(const WorkbenchState& state) const;
+  workbench::TrainModel training(const WorkbenchState& state) const;
 
   std::set<workbench::DemonstrationId> left_out_;
-  int method_ = 2;
+  learning::TrainOptions options_ = learning::options_of(learning::Preset::kExact);
   int segment_ = 0;
-  float epsilon_ = 0.1F;
-  std::int64_t episodes_ = 10000;
-  std::int64_t seed_ = 1;
   std::int64_t grid_ = 22;
   std::string name_;
+  bool all_parameters_ = false;
+  bool playing_ = false;
 };
 
 }  // namespace trocar::ui

@@ -37,6 +37,13 @@ Result<std::vector<learning::CellSequence>> expert_cells(
   return experts;
 }
 
+Result<spatial::Grid> training_grid(const TrainModel& request) {
+  constexpr int kMostCells = 176;
+  if (request.grid >= 4 && request.grid <= kMostCells) return spatial::Grid::with_cells(request.grid);
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("the grid must have 4 to {} cells a side, not {}", kMostCells, request.grid));
+}
+
 std::string model_name(const TrainModel& request) {
   std::string name =
       fmt::format("{} {}", learning::to_string(request.options.method), demonstration::letter(request.segment));
@@ -45,13 +52,8 @@ std::string model_name(const TrainModel& request) {
 }
 
 Result<ModelEntry> train_model(const Project& project, const TrainModel& request, Progress& progress) {
-  constexpr int kMostCells = 176;
-  if (request.grid < 4 || request.grid > kMostCells) {
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("the grid must have 4 to {} cells a side, not {}", kMostCells, request.grid));
-  }
+  TROCAR_ASSIGN_OR_RETURN(const spatial::Grid grid, training_grid(request));
   if (request.demonstrations.empty()) return fail(ErrorCode::kInvalidArgument, "no demonstration to learn from");
-  const spatial::Grid grid = spatial::Grid::with_cells(request.grid);
   ModelEntry entry;
   std::vector<std::shared_ptr<const demonstration::Demonstration>> demonstrations;
   for (const DemonstrationId id : request.demonstrations) {

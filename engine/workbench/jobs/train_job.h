@@ -13,6 +13,9 @@ Result<std::vector<learning::CellSequence>> expert_cells(
     const std::vector<std::shared_ptr<const demonstration::Demonstration>>& demonstrations,
     demonstration::Segment segment, const spatial::Grid& grid);
 
+/// Errors: kInvalidArgument for a number of cells that is none.
+Result<spatial::Grid> training_grid(const TrainModel& request);
+
 /// "exact A": method and segment, with ε where it is used.
 std::string model_name(const TrainModel& request);
 
