@@ -11,7 +11,7 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 72> kEquivalents{{
+constexpr std::array<Equivalent, 73> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
     {"file.import", "trocar demo import P FILE"},
@@ -73,6 +73,7 @@ constexpr std::array<Equivalent, 72> kEquivalents{{
     {"demo.fix_all", "trocar demo check P DEMO --fix all"},
     {"demo.simulate", "trocar demo check P DEMO --simulate"},
     {"model.train", "trocar model train P DEMO --segment A --method eg-maxent"},
+    {"model.compare", "trocar model compare P MODEL_A MODEL_B"},
     {"tool.move", "trocar demo edit P DEMO move --at S"},
     {"tool.turn", "trocar demo edit P DEMO rotate --at S"},
     {"tool.waypoint", "trocar demo edit P DEMO waypoint --at S"},
