@@ -203,7 +203,7 @@ constexpr std::array<RowData, 2> kUndoRows{{
      redo},
 }};
 
-constexpr std::array<RowData, 10> kEditRows{{
+constexpr std::array<RowData, 11> kEditRows{{
     {"edit.trim_in",
      "Edit",
      "Trim in at playhead",

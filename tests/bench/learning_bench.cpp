@@ -2,7 +2,10 @@
 #include <benchmark/benchmark.h>
 
 #include "engine/learning/model.h"
+#include "engine/learning/model_comparison.h"
+#include "engine/learning/monte_carlo.h"
 #include "engine/learning/rollout.h"
+#include "engine/learning/start_set.h"
 #include "tests/support/lattice_demonstrations.h"
 
 namespace {
@@ -75,5 +78,27 @@ void rollout_all_cells(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(basin(model, greedy_policy(model)));
 }
 BENCHMARK(rollout_all_cells)->Unit(benchmark::kMillisecond);
+
+void compare_all_cells(benchmark::State& state) {
+  Progress progress;
+  const auto demonstrations = testing::sample_demonstrations();
+  TrainOptions greedy;
+  greedy.epsilon = 0.0;
+  const Model a = train(spatial::Grid{}, {demonstrations.front()}, greedy, progress).value();
+  const Model b = train(spatial::Grid{}, {demonstrations.front()}, TrainOptions{}, progress).value();
+  for (auto _ : state) benchmark::DoNotOptimize(compare_models(a, b));
+}
+BENCHMARK(compare_all_cells)->Unit(benchmark::kMillisecond);
+
+void monte_carlo_all_cells(benchmark::State& state) {
+  Progress progress;
+  const Model model =
+      train(spatial::Grid{}, {testing::sample_demonstrations().front()}, exact_options(1), progress).value();
+  const auto starts = starts_from("all", model).value();
+  MonteCarloOptions options;
+  options.threads = static_cast<int>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(monte_carlo(model, starts, options, progress));
+}
+BENCHMARK(monte_carlo_all_cells)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

@@ -1,0 +1,126 @@
+// Two models beside each other, and the training panel with its curve.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/support/ui_desk.h"
+
+namespace trocar::ui {
+namespace {
+
+/// Models 3 ("exact A", selected) and 4 ("paper A"), which is the second.
+workbench::WorkbenchState with_two_models() {
+  workbench::WorkbenchState state = testing::made_state_with_model();
+  auto project = std::make_shared<workbench::Project>(*state.project);
+  auto entry = std::make_shared<workbench::ModelEntry>(*project->models.at({3}));
+  entry->id = {4};
+  entry->name = "paper A";
+  learning::TrainOptions options;
+  options.episodes = 1000;
+  Progress progress;
+  entry->model = std::make_shared<const learning::Model>(
+      learning::train(spatial::Grid{}, {testing::sample_demonstrations().front()}, options, progress).value());
+  project->models[entry->id] = entry;
+  state.project = project;
+  state.learning.second = {4};
+  workbench::InsightRequest request;
+  request.entry = project->models.at({3});
+  request.second = entry;
+  state.insight = workbench::InsightMaker().make(request);
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("two models stand beside each other in every mode, and say in how many cells the policy changed") {
+  for (const float scale : {0.75F, 1.0F, 2.0F}) {
+    CAPTURE(scale);
+    Desk desk(with_two_models(), scale);
+    Driver driver = desk.driver();
+    CHECK(driver.key("Ctrl+3"));
+    CHECK(driver.frames(3));
+    CHECK(text_of(driver.click("Tabs/Models")) == "");
+    CHECK(driver.frames(3));
+    for (const char* mode : {"Side by side", "Swipe", "Blink", "Difference", "Policy", "Outcomes"}) {
+      CAPTURE(mode);
+      CHECK(text_of(driver.click(std::string("Models/Mode/") + mode)) == "");
+      CHECK(driver.frames(3));
+      const Item* change = desk.session->items().find("Models/Policy change");
+      REQUIRE(change != nullptr);
+      const auto& comparison = *desk.state.insight->second->comparison;
+      CHECK(change->value.find(std::to_string(comparison.policy_changed % 1000)) != std::string::npos);
+    }
+    CHECK(desk.session->items().find("Models/Measures/Arrive within ±3") != nullptr);
+  }
+}
+
+TEST_CASE("the second model is chosen, and taken back") {
+  Desk desk(with_two_models());
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+3"));
+  CHECK(driver.frames(3));
+  CHECK(text_of(driver.click("Tabs/Models")) == "");
+  CHECK(text_of(driver.click("Models/Model B")) == "");
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.click("Models/Model B/None")) == "");
+  REQUIRE(desk.last<workbench::SetLearning>() != nullptr);
+  CHECK(desk.last<workbench::SetLearning>()->settings.second.value == 0);
+}
+
+TEST_CASE("a preset fills in the parameters, and every one of them is trained with") {
+  Desk desk(testing::made_state_with_model());
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+3"));
+  CHECK(driver.frames(3));
+  CHECK(text_of(driver.click("Tabs/Train")) == "");
+  CHECK(text_of(driver.click("Train/Preset/Paper")) == "");
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.click("Train/All parameters")) == "");
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.type("Train/Epsilon", "0.05")) == "");
+  CHECK(text_of(driver.type("Train/Discount", "0.9")) == "");
+  CHECK(text_of(driver.type("Train/Safe radius", "5")) == "");
+  CHECK(text_of(driver.click("Train/Train")) == "");
+  const auto* train = desk.last<workbench::TrainModel>();
+  REQUIRE(train != nullptr);
+  CHECK(train->options.method == learning::Method::kEgMaxent);
+  CHECK(train->options.epsilon == 0.05);
+  CHECK(train->options.discount == 0.9);
+  CHECK(train->options.safe_radius == 5);
+  CHECK(train->options.theta_rate == 0.3);
+}
+
+TEST_CASE("the learning is gone through epoch by epoch") {
+  Desk desk(testing::made_state_with_model());
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+3"));
+  CHECK(driver.frames(3));
+  CHECK(text_of(driver.click("Tabs/Train")) == "");
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.type("Train/Learning/Epoch", "2")) == "");
+  REQUIRE(desk.last<workbench::SetLearning>() != nullptr);
+  CHECK(desk.last<workbench::SetLearning>()->settings.epoch == 2);
+  CHECK(text_of(driver.click("Train/Learning/Play the learning")) == "");
+  CHECK(driver.frames(3));
+  CHECK(desk.last<workbench::SetLearning>()->settings.epoch >= 0);
+}
+
+TEST_CASE("a model that follows says so, with what changed, and can be kept once the edit is made") {
+  workbench::WorkbenchState state = testing::made_state_with_model();
+  auto insight = std::make_shared<workbench::ModelInsight>(*state.insight);
+  insight->following = workbench::Following{0.009, 12, 345, ""};
+  state.insight = insight;
+  Desk desk(state);
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+3"));
+  CHECK(driver.frames(3));
+  CHECK(text_of(driver.click("Tabs/Models")) == "");
+  CHECK(driver.frames(3));
+  CHECK(text_of(driver.click("Models/Model state/Keep as a model")) == "");
+  const auto* train = desk.last<workbench::TrainModel>();
+  REQUIRE(train != nullptr);
+  CHECK(train->options.method == learning::Method::kExact);
+  CHECK(train->demonstrations.size() == 1);
+}
+
+}  // namespace trocar::ui
