@@ -17,7 +17,7 @@ void FrameTarget::release() {
   width_ = height_ = samples_ = 0;
 }
 
-FrameTarget::Buffers FrameTarget::make(int samples, bool with_depth) const {
+FrameTarget::Buffers FrameTarget::make(int samples) const {
   const auto storage = [&](GLuint& name, GLenum format, GLenum attachment) {
     gl_.GenRenderbuffers(1, &name);
     gl_.BindRenderbuffer(GL_RENDERBUFFER, name);
@@ -32,7 +32,7 @@ FrameTarget::Buffers FrameTarget::make(int samples, bool with_depth) const {
   gl_.GenFramebuffers(1, &buffers.frame);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, buffers.frame);
   storage(buffers.colour, GL_RGBA8, GL_COLOR_ATTACHMENT0);
-  if (with_depth) storage(buffers.depth, GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
+  storage(buffers.depth, GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
   return buffers;
 }
 
@@ -46,8 +46,8 @@ Status FrameTarget::bind(int width, int height, int samples) {
     width_ = width;
     height_ = height;
     samples_ = samples;
-    if (samples > 1) resolved_ = make(1, false);
-    drawn_ = make(samples, true);
+    if (samples > 1) resolved_ = make(1);
+    drawn_ = make(samples);
     if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
       release();
       return fail(ErrorCode::kUnsupported, "OpenGL here cannot draw a picture of that size and number of samples");
@@ -77,6 +77,21 @@ Image FrameTarget::read(const std::vector<PixelBox>& drawn) const {
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
   return image;
+}
+
+std::vector<float> FrameTarget::read_depth() const {
+  GLuint frame = drawn_.frame;
+  if (samples_ > 1) {
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.frame);
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.frame);
+    gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    frame = resolved_.frame;
+  }
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, frame);
+  std::vector<float> depth(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.ReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  return depth;
 }
 
 ShadowMap::ShadowMap(const GlFunctions& gl) : gl_(gl) {

@@ -24,6 +24,8 @@ class FrameTarget {
   Status bind(int width, int height, int samples);
   /// The picture, row 0 as the driver's lowest; `drawn` holds what was drawn on since the last call.
   Image read(const std::vector<PixelBox>& drawn) const;
+  /// The depth buffer in the same order, 0 near … 1 far. Precondition: the target was drawn on.
+  std::vector<float> read_depth() const;
 
  private:
   struct Buffers {
@@ -31,7 +33,7 @@ class FrameTarget {
     GLuint colour = 0;
     GLuint depth = 0;
   };
-  Buffers make(int samples, bool with_depth) const;
+  Buffers make(int samples) const;
   void release();
 
   const GlFunctions& gl_;

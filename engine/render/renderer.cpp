@@ -1,6 +1,7 @@
 #include "engine/render/renderer.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -84,7 +85,9 @@ struct Renderer::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  Result<Image> picture(const scene::Scene& scene, const scene::Camera& camera, const RenderOptions& options);
+  /// Fills `depth` unless it is null.
+  Result<Image> picture(const scene::Scene& scene, const scene::Camera& camera, const RenderOptions& options,
+                        std::vector<float>* depth);
   Kept& kept_for(const RenderOptions& options);
   void upload_instances(const DrawList& list) const;
   void draw_batch(const Batch& batch, std::size_t count) const;
@@ -249,7 +252,7 @@ void Renderer::Impl::draw_blended(const DrawList& list, const View& view, const 
 }
 
 Result<Image> Renderer::Impl::picture(const scene::Scene& scene, const scene::Camera& camera,
-                                      const RenderOptions& options) {
+                                      const RenderOptions& options, std::vector<float>* depth) {
   const View view = make_view(scene, camera, options.width, options.height);
   const ShadowKind kind = shadow_kind(options);
   std::vector<Item> items = items_of(scene, cache);
@@ -272,6 +275,7 @@ Result<Image> Renderer::Impl::picture(const scene::Scene& scene, const scene::Ca
     gl.Disable(GL_SCISSOR_TEST);
   }
   Image image = one.target.read(boxes);
+  if (depth != nullptr) *depth = one.target.read_depth();
   one.items = std::move(items);
   one.view = view;
   one.kind = kind;
@@ -292,14 +296,41 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Result<Image> Renderer::draw(const scene::Scene& scene, const scene::Camera& camera, const RenderOptions& options) {
+namespace {
+
+Status check(const RenderOptions& options) {
   if (options.width < 1 || options.height < 1 || options.width > kSizeLimit || options.height > kSizeLimit) {
     return fail(ErrorCode::kInvalidArgument, "a picture is 1 to 8192 pixels wide and high");
   }
   if (options.samples != 1 && options.samples != 2 && options.samples != 4) {
     return fail(ErrorCode::kInvalidArgument, "a picture has 1, 2 or 4 samples a pixel");
   }
-  return impl_->picture(scene, camera, options);
+  return {};
+}
+
+/// From the depth buffer's number to metres along z; infinite for the background's.
+float metres(float depth, const scene::Camera& camera) {
+  if (depth >= 1.0F) return std::numeric_limits<float>::infinity();
+  const auto near = static_cast<float>(camera.near_m);
+  const auto far = static_cast<float>(camera.far_m);
+  if (camera.orthographic) return near + depth * (far - near);
+  return near * far / (far - depth * (far - near));
+}
+
+}  // namespace
+
+Result<Image> Renderer::draw(const scene::Scene& scene, const scene::Camera& camera, const RenderOptions& options) {
+  TROCAR_RETURN_IF_ERROR(check(options));
+  return impl_->picture(scene, camera, options, nullptr);
+}
+
+Result<DeepPicture> Renderer::draw_deep(const scene::Scene& scene, const scene::Camera& camera,
+                                        const RenderOptions& options) {
+  TROCAR_RETURN_IF_ERROR(check(options));
+  DeepPicture picture;
+  TROCAR_ASSIGN_OR_RETURN(picture.image, impl_->picture(scene, camera, options, &picture.depth_m));
+  for (float& depth : picture.depth_m) depth = metres(depth, camera);
+  return picture;
 }
 
 void Renderer::warm_up() {

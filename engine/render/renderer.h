@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/core/image.h"
 #include "engine/core/result.h"
@@ -18,6 +19,14 @@ struct RenderOptions {
   bool soft_shadows = true;  ///< Four hardware taps; else one, while something moves.
 };
 
+/// A picture, and how far what it shows is away.
+struct DeepPicture {
+  Image image;
+  /// By pixel, in the picture's order: along the camera's z, metres; of what lets nothing through. Infinite where there
+  /// is only background.
+  std::vector<float> depth_m;
+};
+
 /// Owns one OSMesa context (and its mesh cache). Threads: created, used and destroyed in one thread, and no other GL
 /// context may be current in that thread.
 class Renderer {
@@ -30,6 +39,8 @@ class Renderer {
 
   /// Errors: kInvalidArgument for a size outside of 1 … 8192.
   Result<Image> draw(const scene::Scene& scene, const scene::Camera& camera, const RenderOptions& options);
+  /// The same with depth (of several samples in a pixel, that of one). Errors: as `draw`.
+  Result<DeepPicture> draw_deep(const scene::Scene& scene, const scene::Camera& camera, const RenderOptions& options);
   /// Compiles the shaders now instead of at the first picture.
   void warm_up();
   /// "llvmpipe (LLVM 15…), OpenGL 3.3 core", for `trocar doctor`.

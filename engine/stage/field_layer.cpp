@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "engine/core/check.h"
+#include "engine/learning/slab.h"
 #include "engine/scene/primitives.h"
+#include "engine/stage/glyph_meshes.h"
+#include "engine/stage/iso_surface.h"
 #include "engine/stage/palette.h"
+#include "engine/stage/streamlines.h"
 
 namespace trocar::stage {
 namespace {
@@ -60,10 +64,14 @@ void paint_cell(Image& image, int left, int top, const std::optional<Rgba>& colo
 Image paint_slice(const FieldLayer& layer, const Plane& plane, int slice) {
   const int n = layer.field->grid.n;
   Image image(n * kTexels, n * kTexels);
+  const int thickness = layer.slabs[static_cast<std::size_t>(plane.normal)];
+  const learning::Field shown = learning::with_slab(*layer.field, plane.normal, slice, thickness);
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) {
       const spatial::CellIndex cell = cell_at(layer.field->grid, plane, slice, column, row);
-      paint_cell(image, column * kTexels, (n - 1 - row) * kTexels, colour_of(layer, cell));
+      const Rgba colour = layer.colouring.colour(shown.values[static_cast<std::size_t>(cell.value)]);
+      paint_cell(image, column * kTexels, (n - 1 - row) * kTexels,
+                 colour.a == 0 ? std::nullopt : std::optional(colour));
     }
   }
   const int last = n * kTexels - 1;
@@ -162,7 +170,35 @@ void add_voxels(const Meshes& meshes, const FieldLayer& layer, scene::Scene& sce
   }
 }
 
+void add_surface(const FieldLayer& layer, scene::Scene& scene) {
+  if (!layer.iso_level || layer.field->categorical) return;
+  scene::Mesh mesh = iso_surface(*layer.field, layer.colouring.scale.value(*layer.iso_level));
+  if (mesh.indices.empty()) return;
+  scene::Node node;
+  node.mesh = std::make_shared<const scene::Mesh>(std::move(mesh));
+  node.material = palette::material(layer.colouring.colour_at(*layer.iso_level), 0.6F, 0.0F);
+  node.material.base_colour.w() = layer.opacity;
+  node.material.emission = 0.25F;
+  node.material.casts_shadow = false;
+  scene.nodes.push_back(std::move(node));
+}
+
+bool same_scale(const plot::Scale& a, const plot::Scale& b) {
+  const bool ranked = a.sorted == b.sorted || (a.sorted && b.sorted && *a.sorted == *b.sorted);
+  return a.kind == b.kind && a.low == b.low && a.high == b.high && a.linear == b.linear && ranked;
+}
+
 }  // namespace
+
+bool same_drawing(const FieldLayer& a, const FieldLayer& b) {
+  const plot::Colouring& left = a.colouring;
+  const plot::Colouring& right = b.colouring;
+  return a.field == b.field && a.slices == b.slices && a.slabs == b.slabs && a.voxels == b.voxels &&
+         a.voxel_threshold == b.voxel_threshold && a.iso_level == b.iso_level && a.glyphs == b.glyphs &&
+         a.opacity == b.opacity && a.model == b.model && a.policy == b.policy && a.streamlines == b.streamlines &&
+         left.map == right.map && left.vision == right.vision && left.categories == right.categories &&
+         same_scale(left.scale, right.scale);
+}
 
 std::optional<Rgba> colour_of(const FieldLayer& layer, spatial::CellIndex cell) {
   const Rgba colour = layer.colouring.colour(layer.field->values[static_cast<std::size_t>(cell.value)]);
@@ -175,6 +211,11 @@ void add_field(const Meshes& meshes, const FieldLayer& layer, scene::Scene& scen
   TROCAR_CHECK(layer.field->values.size() == static_cast<std::size_t>(layer.field->grid.cell_count()));
   for (const Plane& plane : kPlanes) add_slice(layer, plane, scene);
   if (layer.voxels) add_voxels(meshes, layer, scene);
+  add_surface(layer, scene);
+  add_glyphs(layer, scene);
+  if (layer.model != nullptr && layer.policy != nullptr && !layer.streamlines.empty()) {
+    add_streamlines(layer.model->grid, streamlines(*layer.model, *layer.policy, layer.streamlines), scene);
+  }
 }
 
 }  // namespace trocar::stage

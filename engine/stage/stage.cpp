@@ -124,7 +124,7 @@ void add_peg_numbers(scene::Scene& scene) {
   }
 }
 
-void add_lattice_frame(const Meshes& meshes, const spatial::Grid& grid, scene::Scene& scene) {
+void add_frame(const Meshes& meshes, const spatial::Grid& grid, scene::Scene& scene) {
   const double side = grid.n * grid.cell_m;
   constexpr double kThickness_m = 0.00025;
   for (int axis = 0; axis < 3; ++axis) {
@@ -191,7 +191,7 @@ scene::Scene Stage::scene(const Pose3d& pose, const std::vector<PathLayer>& path
   for (const FieldLayer& field : fields) add_field(*meshes_, field, made);
   if (options.lattice_frame) {
     const bool known = !fields.empty() && fields.front().field != nullptr;
-    add_lattice_frame(*meshes_, known ? fields.front().field->grid : spatial::Grid{}, made);
+    add_frame(*meshes_, known ? fields.front().field->grid : spatial::Grid{}, made);
   }
   if (options.scale_bar) add_scale_bar(*meshes_, options.camera_right, made);
   if (options.labels) {
@@ -199,6 +199,16 @@ scene::Scene Stage::scene(const Pose3d& pose, const std::vector<PathLayer>& path
     add_peg_numbers(made);
   }
   return made;
+}
+
+scene::Scene Stage::field_scene(const std::vector<FieldLayer>& fields) const {
+  scene::Scene made;
+  for (const FieldLayer& field : fields) add_field(*meshes_, field, made);
+  return made;
+}
+
+void Stage::add_lattice_frame(const spatial::Grid& grid, scene::Scene& scene) const {
+  add_frame(*meshes_, grid, scene);
 }
 
 }  // namespace trocar::stage

@@ -17,6 +17,7 @@
 #include "engine/scene/scene.h"
 #include "engine/simulation/world_state.h"
 #include "engine/spatial/grid.h"
+#include "engine/stage/glyphs.h"
 
 namespace trocar::stage {
 
@@ -40,14 +41,23 @@ struct PathLayer {
   double radius_m = 0.0005;
 };
 
-/// A field as slices (cell coordinates; −1 for none) or as voxels above a threshold.
+/// A field as slices (cell coordinates; −1 for none), as voxels above a threshold, as a surface, or as a volume; and
+/// what its model would do.
 struct FieldLayer {
   std::shared_ptr<const learning::Field> field;
   std::array<int, 3> slices{-1, -1, -1};  ///< x, y, z.
+  std::array<int, 3> slabs{1, 1, 1};      ///< Cells, at least 1: a slice shows the largest value across them.
   bool voxels = false;
-  double voxel_threshold = 0.9;  ///< Position on the scale, 0 … 1, above which a voxel is drawn.
+  double voxel_threshold = 0.9;     ///< Position on the scale, 0 … 1, from which on a voxel is drawn.
+  std::optional<double> iso_level;  ///< Position on the scale, 0 … 1; none: no surface.
+  bool volume = false;              ///< Not of the scene: `volume::march` draws it over the picture.
+  Glyphs glyphs = Glyphs::kNone;    ///< On the slices; of `model`.
   plot::Colouring colouring;
   float opacity = 0.85F;
+  /// Whose field it is, for glyphs and streamlines; may be null without them.
+  std::shared_ptr<const learning::Model> model;
+  std::shared_ptr<const std::vector<std::uint8_t>> policy;  ///< Greedy, of `model`; may be null as it may.
+  std::vector<spatial::CellIndex> streamlines;              ///< Where they start; empty: none.
 };
 
 struct StageOptions {
@@ -71,6 +81,9 @@ class Stage {
 
   scene::Scene scene(const Pose3d& pose, const std::vector<PathLayer>& paths, const std::vector<FieldLayer>& fields,
                      const StageOptions& options) const;
+  /// Nodes and quads of the fields alone, and the edges of a lattice: for who keeps the former from picture to picture.
+  scene::Scene field_scene(const std::vector<FieldLayer>& fields) const;
+  void add_lattice_frame(const spatial::Grid& grid, scene::Scene& scene) const;
 
  private:
   std::shared_ptr<const Meshes> meshes_;

@@ -20,4 +20,8 @@ plot::Colouring colouring_of(const learning::Field& field, const FieldSettings& 
   return colouring;
 }
 
+bool same_colours(const FieldSettings& a, const FieldSettings& b) {
+  return a.layer == b.layer && a.scale == b.scale && a.map == b.map && a.vision == b.vision && a.limits == b.limits;
+}
+
 }  // namespace trocar::workbench

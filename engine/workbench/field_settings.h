@@ -3,17 +3,29 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "engine/learning/field.h"
 #include "engine/plot/colouring.h"
+#include "engine/stage/glyphs.h"
 
 namespace trocar::workbench {
+
+using stage::Glyphs;
 
 struct FieldSettings {
   bool visible = true;
   learning::Layer layer = learning::Layer::kReward;
   std::array<int, 3> slices{-1, -1, -1};  ///< −1: none.
+  std::array<int, 3> slabs{1, 1, 1};      ///< Cells that each slice is thick, at least 1: the largest value is shown.
   bool voxels = false;
+  double voxel_threshold = 0.9;  ///< Position on the scale, 0 … 1, from which on a voxel is drawn.
+  bool iso_surface = false;
+  double iso_level = 0.5;  ///< Position on the scale, 0 … 1.
+  bool volume = false;
+  Glyphs glyphs = Glyphs::kNone;  ///< On the slices that are shown.
+  bool streamlines = false;       ///< Where the greedy policy leads …
+  std::string streamline_starts = "around:2";  ///< … from here, as `learning::starts_from` reads it.
   plot::ScaleKind scale = plot::ScaleKind::kLinear;
   std::optional<plot::ColourMap> map;  ///< None: what suits the layer.
   plot::ColourVision vision = plot::ColourVision::kFull;
@@ -24,5 +36,7 @@ struct FieldSettings {
 
 /// Limits that the kind of scale cannot have (log across zero) are not heeded. Classes keep their own colours.
 plot::Colouring colouring_of(const learning::Field& field, const FieldSettings& settings);
+/// The same colours: all else may differ.
+bool same_colours(const FieldSettings& a, const FieldSettings& b);
 
 }  // namespace trocar::workbench

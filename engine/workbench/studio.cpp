@@ -3,11 +3,20 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/figure/field_figure.h"
+#include "engine/learning/start_set.h"
 #include "engine/simulation/world.h"
+#include "engine/stage/field_layer.h"
 #include "engine/stage/path_layer.h"
+#include "engine/volume/volume.h"
 
 namespace trocar::workbench {
+namespace {
+
+/// A volume is looked at through every third pixel each way while something moves.
+constexpr int kCoarseDivisor = 3;
+
+}  // namespace
+
 Result<Studio> Studio::create() {
   TROCAR_ASSIGN_OR_RETURN(std::shared_ptr<const stage::Stage> stage, stage::Stage::load());
   TROCAR_ASSIGN_OR_RETURN(render::Renderer renderer, render::Renderer::create());
@@ -33,12 +42,46 @@ Result<Image> Studio::picture(const ViewRequest& request) {
 Result<Image> Studio::one_picture(const ViewRequest& request) {
   stage::StageOptions options = request.options;
   options.camera_right = request.camera.X_WC.rotation().col(0);
-  scene::Scene scene = stage_->scene(request.pose, {}, request.fields, options);
+  options.lattice_frame = false;
+  scene::Scene scene = stage_->scene(request.pose, {}, {}, options);
   show_paths(request.paths);
-  scene.nodes.insert(scene.nodes.end(), path_nodes_.begin(), path_nodes_.end());
-  TROCAR_ASSIGN_OR_RETURN(Image image, renderer_.draw(scene, request.camera, request.render));
+  show_fields(request.fields);
+  const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  add(scene.nodes, path_nodes_);
+  add(scene.nodes, field_scene_.nodes);
+  add(scene.quads, field_scene_.quads);
+  if (request.options.lattice_frame) {
+    const bool known = !request.fields.empty() && request.fields.front().field != nullptr;
+    stage_->add_lattice_frame(known ? request.fields.front().field->grid : spatial::Grid{}, scene);
+  }
+  TROCAR_ASSIGN_OR_RETURN(Image image, drawn(scene, request));
   labels_.draw(image, scene, request.camera);
   return image;
+}
+
+Result<Image> Studio::drawn(const scene::Scene& scene, const ViewRequest& request) {
+  const auto has_volume = [](const stage::FieldLayer& layer) {
+    return layer.volume && layer.field != nullptr && !layer.field->categorical;
+  };
+  if (std::none_of(request.fields.begin(), request.fields.end(), has_volume)) {
+    return renderer_.draw(scene, request.camera, request.render);
+  }
+  TROCAR_ASSIGN_OR_RETURN(render::DeepPicture picture, renderer_.draw_deep(scene, request.camera, request.render));
+  for (const stage::FieldLayer& layer : request.fields) {
+    if (!has_volume(layer)) continue;
+    volume::MarchOptions options;
+    options.divisor = request.coarse ? kCoarseDivisor : 1;
+    options.opacity = layer.opacity;
+    options.slices = layer.slices;
+    volumes_.draw(picture.image, picture.depth_m, request.camera, layer.field, layer.colouring, options);
+  }
+  return std::move(picture.image);
+}
+
+void Studio::show_fields(const std::vector<stage::FieldLayer>& fields) {
+  if (std::equal(fields.begin(), fields.end(), fields_.begin(), fields_.end(), stage::same_drawing)) return;
+  fields_ = fields;
+  field_scene_ = stage_->field_scene(fields);
 }
 
 void Studio::show_paths(const std::shared_ptr<const std::vector<stage::PathLayer>>& paths) {
@@ -55,13 +98,26 @@ stage::Pose3d ready_stage() {
   return stage::pose_of(simulation::World().state());
 }
 
-stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, const FieldSettings& settings) {
+stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, const FieldSettings& settings,
+                              const FieldOwner& owner) {
   stage::FieldLayer layer;
   layer.colouring = colouring_of(*field, settings);
   layer.slices = settings.slices;
+  layer.slabs = settings.slabs;
   layer.voxels = settings.voxels;
+  layer.voxel_threshold = settings.voxel_threshold;
+  if (settings.iso_surface) layer.iso_level = settings.iso_level;
+  layer.volume = settings.volume;
+  layer.glyphs = settings.glyphs;
   layer.opacity = settings.opacity;
   layer.field = std::move(field);
+  layer.model = owner.model;
+  layer.policy = owner.policy;
+  if (settings.streamlines && owner.model != nullptr) {
+    if (auto starts = learning::starts_from(settings.streamline_starts, *owner.model)) {
+      layer.streamlines = std::move(*starts);
+    }
+  }
   return layer;
 }
 

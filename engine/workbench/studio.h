@@ -11,6 +11,7 @@
 #include "engine/scene/scene.h"
 #include "engine/stage/label_painter.h"
 #include "engine/stage/stage.h"
+#include "engine/volume/volume.h"
 #include "engine/workbench/command.h"
 
 namespace trocar::workbench {
@@ -23,6 +24,7 @@ struct ViewRequest {
   stage::StageOptions options;
   scene::Camera camera;
   render::RenderOptions render;
+  bool coarse = false;  ///< Something moves: a volume is marched through at a third of the resolution.
   std::optional<stage::Pose3d>
       beside;  ///< Another moment, in the right half of the picture; `pose` is in the left one.
 };
@@ -40,20 +42,33 @@ class Studio {
       : stage_(std::move(stage)), renderer_(std::move(renderer)) {}
 
   Result<Image> one_picture(const ViewRequest& request);
+  /// With volumes, without labels.
+  Result<Image> drawn(const scene::Scene& scene, const ViewRequest& request);
   void show_paths(const std::shared_ptr<const std::vector<stage::PathLayer>>& paths);
+  void show_fields(const std::vector<stage::FieldLayer>& fields);
 
   std::shared_ptr<const stage::Stage> stage_;
   /// The same paths keep their meshes from picture to picture, so that where they are need not be drawn anew.
   std::shared_ptr<const std::vector<stage::PathLayer>> paths_;
   std::vector<scene::Node> path_nodes_;
+  std::vector<stage::FieldLayer> fields_;  ///< Likewise.
+  scene::Scene field_scene_;
   render::Renderer renderer_;
   stage::LabelPainter labels_;
+  volume::Marcher volumes_;
 };
 
 /// The scene before anything is recorded: arms at the ready pose, every block on its start peg.
 stage::Pose3d ready_stage();
 
-/// The field as the settings want it drawn, with the map that suits its layer.
-stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, const FieldSettings& settings);
+/// Whose the field is; both may be null where neither glyphs nor streamlines are wanted.
+struct FieldOwner {
+  std::shared_ptr<const learning::Model> model;
+  std::shared_ptr<const std::vector<std::uint8_t>> policy;
+};
+/// The field as the settings want it drawn, with the map that suits its layer. Starts of streamlines that the model
+/// cannot have are left out.
+stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, const FieldSettings& settings,
+                              const FieldOwner& owner = {});
 
 }  // namespace trocar::workbench

@@ -114,6 +114,7 @@ bool ViewDirector::poll(WorkbenchState& state, double now_s) {
     coarse_ = changed;
     request.render.samples = coarse_ ? 1 : 4;
     request.render.soft_shadows = !coarse_;
+    request.coarse = coarse_;
     worker_.request({std::move(request), paths_of(state), wanted.edges});
     requested_ = wanted;
     requested_at_s_ = now_s;
@@ -168,7 +169,7 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) const {
     request.pose = ready_;
   }
   if (!state.live && state.insight && state.insight->field && state.field.visible) {
-    request.fields.push_back(field_layer(state.insight->field, state.field));
+    request.fields.push_back(field_layer(state.insight->field, state.field, {state.insight->entry->model, state.insight->policy}));
     request.options.lattice_frame = true;
   }
   request.camera = camera_of(state);
