@@ -116,9 +116,10 @@ Starts gaussian(std::string_view rest, const Model& model) {
   const auto sigma_mm = parts.size() == 3 ? number<double>(parts[0]) : std::nullopt;
   const auto count = parts.size() == 3 ? number<int>(parts[1]) : std::nullopt;
   const auto seed = parts.size() == 3 ? number<std::uint64_t>(parts[2]) : std::nullopt;
-  if (!sigma_mm || !count || !seed || !(*sigma_mm > 0.0 && *sigma_mm <= 1000.0) || *count < 1 || *count > kMostDraws) {
-    return fail(ErrorCode::kInvalidArgument,
-                "gaussian: needs a standard deviation in mm, up to 1,000,000 draws and a seed, as gaussian:5,200,1");
+  if (!sigma_mm || !count || !seed || !(*sigma_mm > 0.0 && *sigma_mm <= 100.0) || *count < 1 || *count > kMostDraws) {
+    return fail(
+        ErrorCode::kInvalidArgument,
+        "gaussian: needs a standard deviation of up to 100 mm, up to 1,000,000 draws and a seed, as gaussian:5,200,1");
   }
   Random random(*seed);
   const Eigen::Vector3d middle = model.grid.centre(model.start);

@@ -7,11 +7,11 @@
 
 namespace trocar::statistics {
 
-Interval wilson_interval(int successes, int count, double z) {
+Interval wilson_interval(std::int64_t successes, std::int64_t count, double z) {
   TROCAR_CHECK(successes >= 0 && successes <= count);
   if (count == 0) return {};
-  const double n = count;
-  const double share = successes / n;
+  const auto n = static_cast<double>(count);
+  const double share = static_cast<double>(successes) / n;
   const double middle = (share + z * z / (2.0 * n)) / (1.0 + z * z / n);
   const double half = z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
   // At the ends the formula is exact but its rounding is not.

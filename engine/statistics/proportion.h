@@ -1,6 +1,8 @@
 /// Counts of successes: an interval for their share, and the exact test for paired outcomes.
 #pragma once
 
+#include <cstdint>
+
 namespace trocar::statistics {
 
 struct Interval {
@@ -10,7 +12,7 @@ struct Interval {
 
 /// Wilson's score interval for `successes` of `count`; `z` is the normal quantile (1.96 for 95 %).
 /// 0 … 1 if `count` is 0. Precondition: 0 ≤ successes ≤ count.
-Interval wilson_interval(int successes, int count, double z = 1.959963984540054);
+Interval wilson_interval(std::int64_t successes, std::int64_t count, double z = 1.959963984540054);
 
 /// McNemar's exact two-sided p: that of a fair coin for the `only_a` against the `only_b` discordant pairs, 1 at most.
 /// Precondition: neither is negative.

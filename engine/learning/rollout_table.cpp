@@ -1,0 +1,190 @@
+#include "engine/learning/rollout_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "engine/statistics/proportion.h"
+
+namespace trocar::learning {
+namespace {
+
+using spatial::Action;
+using spatial::CellIndex;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kLastOnes = 3;
+
+/// The action that leads from one cell to the next.
+Action action_between(const spatial::Grid& grid, CellIndex from, CellIndex to) {
+  for (int a = 0; a < spatial::kActionCount; ++a) {
+    if (grid.neighbour(from, static_cast<Action>(a)) == to) return static_cast<Action>(a);
+  }
+  return Action::kPlusX;  // Not reached: cells of a rollout are neighbours.
+}
+
+std::vector<Action> last_actions(const spatial::Grid& grid, const CellSequence& cells) {
+  std::vector<Action> actions;
+  const std::size_t first = cells.size() > kLastOnes ? cells.size() - kLastOnes : 1;
+  for (std::size_t i = first; i < cells.size(); ++i) actions.push_back(action_between(grid, cells[i - 1], cells[i]));
+  return actions;
+}
+
+/// Nothing for what is not known.
+std::string cell_text(double value) {
+  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
+}
+
+std::string monte_carlo_cells(const MonteCarlo& result, std::size_t i) {
+  if (i >= static_cast<std::size_t>(result.finished)) return ",,,,,";
+  const int arrived = result.arrived[i];
+  const statistics::Interval interval = statistics::wilson_interval(arrived, result.runs());
+  const double share = static_cast<double>(arrived) / result.runs();
+  const std::string steps = arrived == 0 ? "" : fmt::format("{:.6g}", static_cast<double>(result.steps[i]) / arrived);
+  return fmt::format(",{},{:.6g},{:.6g},{:.6g},{}", arrived, share, interval.low, interval.high, steps);
+}
+
+std::string row_of(const Model& model, const Rollout& r, std::span<const double> clearance_m) {
+  const spatial::CellCoordinates c = model.grid.coordinates(r.start);
+  return fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:d},{:.9g},{},{},{}", c.x, c.y, c.z,
+                     to_string(r.end), r.cells.size() - 1, 1e3 * r.length_m, r.straightness, 1e3 * r.max_deviation_m,
+                     1e3 * r.mean_deviation_m, 1e3 * r.frechet_m, r.from_above, r.reward_sum, r.divergence_step,
+                     last_moves(model.grid, r.cells), cell_text(1e3 * least_clearance_m(r, clearance_m)));
+}
+
+/// By CellIndex, of those that `rollouts` go through; metres.
+std::vector<double> deviations(const Model& model, const std::vector<Rollout>& rollouts) {
+  std::vector<double> by_cell(static_cast<std::size_t>(model.grid.cell_count()), -1.0);
+  for (const Rollout& rollout : rollouts) {
+    for (const CellIndex cell : rollout.cells) {
+      double& deviation_m = by_cell[static_cast<std::size_t>(cell.value)];
+      if (deviation_m >= 0.0) continue;
+      deviation_m = std::numeric_limits<double>::infinity();
+      const Eigen::Vector3d here = model.grid.centre(cell);
+      for (const CellIndex expert : model.experts.front()) {
+        deviation_m = std::min(deviation_m, (model.grid.centre(expert) - here).norm());
+      }
+    }
+  }
+  return by_cell;
+}
+
+/// Of sorted values, the one that a share of them does not exceed.
+double quantile(const std::vector<double>& sorted, double share) {
+  const double at = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+}  // namespace
+
+std::string last_moves(const spatial::Grid& grid, const CellSequence& cells) {
+  std::string words;
+  for (const Action action : last_actions(grid, cells)) {
+    if (!words.empty()) words += ' ';
+    words += spatial::to_string(action);
+  }
+  return words;
+}
+
+double least_clearance_m(const Rollout& rollout, std::span<const double> by_cell) {
+  if (by_cell.empty()) return kUnknown;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const CellIndex cell : rollout.cells) least_m = std::min(least_m, by_cell[static_cast<std::size_t>(cell.value)]);
+  return least_m;
+}
+
+double measure(const Rollout& rollout, RolloutMeasure measure, const spatial::Grid& grid,
+               std::span<const double> clearance_m) {
+  switch (measure) {
+    case RolloutMeasure::kStart:
+      return rollout.start.value;
+    case RolloutMeasure::kEnd:
+      return static_cast<double>(rollout.end);
+    case RolloutMeasure::kSteps:
+      return static_cast<double>(rollout.cells.size() - 1);
+    case RolloutMeasure::kLength:
+      return rollout.length_m;
+    case RolloutMeasure::kStraightness:
+      return rollout.straightness;
+    case RolloutMeasure::kMaxDeviation:
+      return rollout.max_deviation_m;
+    case RolloutMeasure::kMeanDeviation:
+      return rollout.mean_deviation_m;
+    case RolloutMeasure::kFrechet:
+      return rollout.frechet_m;
+    case RolloutMeasure::kLastMoves: {
+      const std::vector<Action> last = last_actions(grid, rollout.cells);
+      return static_cast<double>(std::count(last.begin(), last.end(), Action::kMinusZ));
+    }
+    case RolloutMeasure::kFromAbove:
+      return rollout.from_above ? 1.0 : 0.0;
+    case RolloutMeasure::kReward:
+      return rollout.reward_sum;
+    case RolloutMeasure::kDivergence:
+      return rollout.divergence_step;
+    case RolloutMeasure::kClearance:
+      return least_clearance_m(rollout, clearance_m);
+  }
+  return kUnknown;
+}
+
+std::vector<std::size_t> sorted_by(const std::vector<Rollout>& rollouts, RolloutMeasure by, bool descending,
+                                   const spatial::Grid& grid, std::span<const double> clearance_m) {
+  std::vector<double> values;
+  values.reserve(rollouts.size());
+  for (const Rollout& rollout : rollouts) {
+    const double value = measure(rollout, by, grid, clearance_m);
+    values.push_back(std::isnan(value) ? std::numeric_limits<double>::infinity() : descending ? -value : value);
+  }
+  std::vector<std::size_t> order(rollouts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&values](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  return order;
+}
+
+Result<std::string> rollout_csv(const Model& model, const std::vector<std::uint8_t>& policy,
+                                const std::vector<CellIndex>& starts, const RolloutTableOptions& options,
+                                Progress& progress) {
+  std::string csv =
+      "i,j,k,end,steps,length_mm,straightness,max_deviation_mm,mean_deviation_mm,frechet_mm,from_above,reward_sum,"
+      "divergence_step,last_moves,clearance_mm";
+  if (options.monte_carlo != nullptr) csv += ",runs_arrived,share,low,high,mean_steps";
+  csv += '\n';
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before all rollouts were written");
+    progress.set(static_cast<double>(i) / static_cast<double>(starts.size()));
+    csv += row_of(model, rollout(model, policy, starts[i]), options.clearance_m);
+    if (options.monte_carlo != nullptr) csv += monte_carlo_cells(*options.monte_carlo, i);
+    csv += '\n';
+  }
+  return csv;
+}
+
+DeviationBand deviation_band(const Model& model, const std::vector<Rollout>& rollouts) {
+  const std::vector<double> by_cell = deviations(model, rollouts);
+  std::size_t longest = 0;
+  for (const Rollout& rollout : rollouts) longest = std::max(longest, rollout.cells.size());
+  DeviationBand band;
+  std::vector<double> at_step;
+  for (std::size_t step = 0; step < longest; ++step) {
+    at_step.clear();
+    for (const Rollout& rollout : rollouts) {
+      if (step < rollout.cells.size()) at_step.push_back(by_cell[static_cast<std::size_t>(rollout.cells[step].value)]);
+    }
+    if (at_step.size() < kLeastInBand) break;
+    std::sort(at_step.begin(), at_step.end());
+    band.low.push_back(quantile(at_step, 0.05));
+    band.median.push_back(quantile(at_step, 0.5));
+    band.high.push_back(quantile(at_step, 0.95));
+    band.count.push_back(static_cast<int>(at_step.size()));
+  }
+  return band;
+}
+
+}  // namespace trocar::learning

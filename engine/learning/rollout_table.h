@@ -1,0 +1,70 @@
+/// Rollouts as a table: what is measured of each, for sorting, and the rows that window and command line write alike.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/learning/monte_carlo.h"
+#include "engine/learning/rollout.h"
+
+namespace trocar::learning {
+
+enum class RolloutMeasure : std::uint8_t {
+  kStart,
+  kEnd,
+  kSteps,
+  kLength,
+  kStraightness,
+  kMaxDeviation,
+  kMeanDeviation,
+  kFrechet,
+  kLastMoves,
+  kFromAbove,
+  kReward,
+  kDivergence,
+  kClearance,
+};
+constexpr int kRolloutMeasures = 13;
+
+/// The last three moves in their order, "-z -z -z"; fewer for a shorter rollout, "" where it never moved.
+std::string last_moves(const spatial::Grid& grid, const CellSequence& cells);
+
+/// The least of `by_cell` (metres, by CellIndex) on the way; NaN if that is empty.
+double least_clearance_m(const Rollout& rollout, std::span<const double> by_cell);
+
+/// What rows are sorted by: SI units, classes by their number, starts by CellIndex. Of the last moves: how many of them
+/// were −z. `clearance_m` is by CellIndex and may be empty: NaN then.
+double measure(const Rollout& rollout, RolloutMeasure measure, const spatial::Grid& grid,
+               std::span<const double> clearance_m);
+
+/// The places of `rollouts`, sorted by one measure; equal ones by their place, unknown ones last.
+std::vector<std::size_t> sorted_by(const std::vector<Rollout>& rollouts, RolloutMeasure by, bool descending,
+                                   const spatial::Grid& grid, std::span<const double> clearance_m);
+
+struct RolloutTableOptions {
+  std::span<const double> clearance_m;      ///< By CellIndex; empty: the column stays empty.
+  const MonteCarlo* monte_carlo = nullptr;  ///< Of the same starts in the same order: five columns more.
+};
+/// A header and one row for each start, in their order: lengths in millimetres, share and its 95 % interval (Wilson) of
+/// the random rollouts, empty for starts that were not finished. Errors: kCancelled.
+/// Precondition: `monte_carlo`, if any, has as many starts.
+Result<std::string> rollout_csv(const Model& model, const std::vector<std::uint8_t>& policy,
+                                const std::vector<spatial::CellIndex>& starts, const RolloutTableOptions& options,
+                                Progress& progress);
+
+/// How far rollouts are from the expert's cells, step by step, metres: the middle one and where 90 % lie, of those that
+/// still go on, `count` of them; up to the last step that `kLeastInBand` of them reach.
+struct DeviationBand {
+  std::vector<double> low;  ///< 5 %
+  std::vector<double> median;
+  std::vector<double> high;  ///< 95 %
+  std::vector<int> count;
+};
+constexpr int kLeastInBand = 5;
+DeviationBand deviation_band(const Model& model, const std::vector<Rollout>& rollouts);
+
+}  // namespace trocar::learning
