@@ -101,6 +101,11 @@ struct HandSession::Impl {
       hands.emplace_back(by_hand ? options.mode : HandMode::kContinuous, to[i]);
       if (!options.replay.empty() && !near(to[i], options.replay.front()[i]))
         hands[i].lead_to(options.replay.front()[i]);
+      if (options.begin_p_WT[i]) {
+        ToolCommand begin = to[i];
+        begin.X_WT.p = *options.begin_p_WT[i];
+        hands[i].lead_to(begin);
+      }
     }
     task.update(world.state());
     countdown_ticks = static_cast<std::int64_t>(std::llround(options.countdown_s * Tick::kPerSecond));

@@ -1,7 +1,9 @@
 /// A take that a person drives live in the simulator: one arm or both, the rest by script, by replay, or at rest.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "engine/control/setpoint_limiter.h"
 #include "engine/core/result.h"
@@ -43,6 +45,8 @@ struct HandOptions {
   /// first setpoints before.
   Setpoints replay;
   std::string replay_of;  ///< The demonstration's name.
+  /// Where the tips are led before the recording begins, each turned as it is; none: nowhere. W, metres.
+  std::array<std::optional<Eigen::Vector3d>, 2> begin_p_WT;
 };
 
 /// Threads: `post` in the interface's, everything else in one other (or the same).

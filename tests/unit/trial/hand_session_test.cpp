@@ -331,3 +331,19 @@ TEST_CASE("what a full queue cannot take is counted as dropped") {
   CHECK(taken == 1024);
   CHECK(take.session->status().dropped_input == 1);
 }
+
+TEST_CASE("a take that begins in a cell is recorded from there on, turned as the tool was") {
+  HandOptions options = still_assistant();
+  const Take elsewhere(options);
+  const Eigen::Vector3d place = spatial::Grid{}.centre(spatial::Grid{}.index({10, 9, 18}));
+  options.begin_p_WT[0] = place;
+  Take take(options);
+  for (int i = 0; i < 20'000 && take.session->status().phase != Phase::kRecording; ++i) take.run(1);
+  REQUIRE(take.session->status().phase == Phase::kRecording);
+  CHECK((take.tip() - place).norm() < 1e-4);
+  REQUIRE_FALSE(take.recording.samples.empty());
+  CHECK((take.recording.samples.front().arms[0].setpoint().p - place).norm() < 1e-6);
+  const auto& before = elsewhere.session->state().arm(ArmSide::kLeft).X_WT.q;
+  CHECK(take.session->state().arm(ArmSide::kLeft).X_WT.q.angularDistance(before) < 1e-3);
+  CHECK((elsewhere.tip() - place).norm() > 0.005);
+}

@@ -1,0 +1,220 @@
+#include "engine/trial/physics_rollout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "engine/core/random.h"
+#include "engine/demonstration/recording.h"
+#include "engine/learning/rollout.h"
+#include "engine/simulation/world.h"
+#include "engine/trial/arm_drive.h"
+#include "engine/trial/sampling.h"
+
+namespace trocar::trial {
+namespace {
+
+using control::ToolCommand;
+using kinematics::ArmSide;
+using spatial::CellIndex;
+
+constexpr int kSamplesPerCell = 25;  // 1/8 s: 20 mm/s on the lattice of 2.5 mm
+constexpr double kLead_m_s = 0.060;  // while the tool is led to its start
+constexpr double kAbove_m = 0.055;   // over the pegs and what stands on them
+constexpr double kNear_m = 0.0002;   // of a place that the tool was to reach
+constexpr int kMostWaits = 200;      // samples for the limits to let it get there
+constexpr double kSamplePeriod_s = 1.0 / demonstration::kSampleRate_hz;
+
+/// The world with the left tool in it, one sample at a time.
+class Driven {
+ public:
+  explicit Driven(const PhysicsOptions& options) : world_(world_options(options)), setpoint_(setpoint()) {
+    drive_.emplace(ArmSide::kLeft, setpoint_);
+    wish_ = setpoint_;
+  }
+
+  const simulation::WorldState& state() const { return world_.state(); }
+  Eigen::Vector3d tip() const { return state().arm(ArmSide::kLeft).X_WT.p; }
+  double seconds() const { return state().tick.seconds(); }
+  double length_m() const { return length_m_; }
+  std::uint64_t hash() const { return world_.state_hash(); }
+  void measure_from_here() { length_m_ = 0.0; }
+
+  /// Evenly over so many samples, then until the tool is there. False if it cannot get there.
+  bool go(const Eigen::Vector3d& p_WT, int samples) {
+    const Eigen::Vector3d from = wish_.X_WT.p;
+    for (int i = 1; i <= samples; ++i) {
+      wish_.X_WT.p = i == samples ? p_WT : Eigen::Vector3d(from + (p_WT - from) * (static_cast<double>(i) / samples));
+      sample();
+    }
+    for (int i = 0; i < kMostWaits && (tip() - p_WT).norm() > kNear_m; ++i) {
+      if (!drive_->refusal().empty()) return false;
+      sample();
+    }
+    return (tip() - p_WT).norm() <= kNear_m;
+  }
+
+ private:
+  static simulation::WorldOptions world_options(const PhysicsOptions& options) {
+    simulation::WorldOptions world;
+    world.seed = options.seed;
+    return world;
+  }
+  ToolCommand setpoint() const { return setpoint_of(world_.state(), ArmSide::kLeft); }
+
+  void sample() {
+    const ToolCommand from = setpoint_;
+    setpoint_ = drive_->approach(wish_);
+    const Eigen::Vector3d before = tip();
+    for (int sub = 1; sub <= demonstration::kTicksPerSample; ++sub) {
+      const ToolCommand command = between(from, setpoint_, sub, demonstration::kTicksPerSample);
+      // Both ends are within reach; at a point between them that is not the arm stays.
+      static_cast<void>(world_.command(ArmSide::kLeft, {command.X_WT, command.jaw_rad}));
+      world_.step();
+    }
+    length_m_ += (tip() - before).norm();
+  }
+
+  simulation::World world_;
+  ToolCommand setpoint_;
+  ToolCommand wish_;
+  std::optional<ArmDrive> drive_;
+  double length_m_ = 0.0;
+};
+
+int samples_for(double way_m) {
+  return std::max(1, static_cast<int>(std::ceil(way_m / kLead_m_s / kSamplePeriod_s)));
+}
+
+/// Up, across and down again.
+bool lead(Driven& driven, const Eigen::Vector3d& start) {
+  const Eigen::Vector3d here = driven.tip();
+  const double above = std::max({here.z(), start.z(), kAbove_m});
+  Eigen::Vector3d last = here;
+  for (const Eigen::Vector3d& next :
+       {Eigen::Vector3d(here.x(), here.y(), above), Eigen::Vector3d(start.x(), start.y(), above), start}) {
+    if ((next - last).norm() > 0.0 && !driven.go(next, samples_for((next - last).norm()))) return false;
+    last = next;
+  }
+  return true;
+}
+
+Eigen::Vector3d place_of(const learning::Model& model, CellIndex start, const PhysicsOptions& options) {
+  Eigen::Vector3d place = model.grid.centre(start);
+  if (!options.continuous) return place;
+  Random random = Random(options.seed).child(static_cast<std::uint64_t>(start.value));
+  for (int axis = 0; axis < 3; ++axis) place[axis] += model.grid.cell_m * (random.uniform() - 0.5);
+  return place;
+}
+
+using Places = std::array<Eigen::Vector3d, peg_board::kBlockCount>;
+Places blocks_of(const simulation::WorldState& state) {
+  Places places;
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = state.blocks[i].X_WK.p;
+  return places;
+}
+
+/// From cell to cell until it ends. `seen` are the cells in which the policy was asked.
+PhysicsEnd follow(const learning::Model& model, const std::vector<std::uint8_t>& policy, double end_s, Driven& driven,
+                  int& steps) {
+  spatial::CellSet seen(model.grid);
+  for (;;) {
+    const Result<CellIndex> cell = model.grid.cell_at(driven.tip());
+    if (!cell) return PhysicsEnd::kOutsideSafeSet;
+    if (*cell == model.goal) return PhysicsEnd::kArrives;
+    if (seen.contains(*cell)) return PhysicsEnd::kLoops;
+    seen.insert(*cell);
+    const std::uint8_t action = policy[static_cast<std::size_t>(cell->value)];
+    if (action == learning::kNoAction) {
+      return model.safe.contains(*cell) ? PhysicsEnd::kDeadEnd : PhysicsEnd::kOutsideSafeSet;
+    }
+    if (driven.seconds() >= end_s) return PhysicsEnd::kTimeUp;
+    const auto next = model.grid.neighbour(*cell, static_cast<spatial::Action>(action));
+    if (!driven.go(model.grid.centre(*next), kSamplesPerCell)) return PhysicsEnd::kOutOfReach;
+    ++steps;
+  }
+}
+
+Status check(const learning::Model& model, const std::vector<CellIndex>& starts, const PhysicsOptions& options,
+             const PhysicsRollouts& rollouts) {
+  if (options.threads < 1 || options.threads > 64) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("{} threads were asked for; 1 … 64 are possible", options.threads));
+  }
+  if (!std::isfinite(options.time_limit_s) || options.time_limit_s <= 0.0) {
+    return fail(ErrorCode::kInvalidArgument, "the time limit is not positive");
+  }
+  if (rollouts.size() != starts.size()) {
+    return fail(ErrorCode::kInvalidArgument, "there are other rollouts kept than there are starts");
+  }
+  const auto outside = [&model](CellIndex c) { return c.value < 0 || c.value >= model.grid.cell_count(); };
+  if (std::any_of(starts.begin(), starts.end(), outside)) {
+    return fail(ErrorCode::kInvalidArgument, "a start is outside of the lattice");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view to_string(PhysicsEnd end) {
+  constexpr std::array<std::string_view, 6> kNames{"arrives",      "loops",  "dead end", "outside the safe set",
+                                                   "out of reach", "time up"};
+  return kNames[static_cast<std::size_t>(end)];
+}
+
+PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<std::uint8_t>& policy, CellIndex start,
+                               const PhysicsOptions& options) {
+  Driven driven(options);
+  PhysicsRollout result;
+  if (!lead(driven, place_of(model, start, options))) {
+    result.end = PhysicsEnd::kOutOfReach;
+    result.state_hash = driven.hash();
+    return result;
+  }
+  const double begin_s = driven.seconds();
+  const Places before = blocks_of(driven.state());
+  driven.measure_from_here();
+  result.end = follow(model, policy, begin_s + options.time_limit_s, driven, result.steps);
+  result.duration_s = driven.seconds() - begin_s;
+  result.length_m = driven.length_m();
+  const Places after = blocks_of(driven.state());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    result.pushed_m = std::max(result.pushed_m, (after[i] - before[i]).norm());
+  }
+  result.state_hash = driven.hash();
+  return result;
+}
+
+int finished(const PhysicsRollouts& rollouts) {
+  return static_cast<int>(std::count_if(rollouts.begin(), rollouts.end(), [](const auto& one) { return one; }));
+}
+
+Status run_physics(const learning::Model& model, const std::vector<CellIndex>& starts, const PhysicsOptions& options,
+                   PhysicsRollouts& rollouts, Progress& progress) {
+  TROCAR_RETURN_IF_ERROR(check(model, starts, options, rollouts));
+  const std::vector<std::uint8_t> policy = learning::greedy_policy(model);
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < rollouts.size(); ++i) {
+    if (!rollouts[i]) missing.push_back(i);
+  }
+  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> done{rollouts.size() - missing.size()};
+  const auto work = [&] {
+    while (!progress.cancelled()) {
+      const std::size_t at = next.fetch_add(1);
+      if (at >= missing.size()) return;
+      rollouts[missing[at]] = physics_rollout(model, policy, starts[missing[at]], options);
+      progress.set(static_cast<double>(done.fetch_add(1) + 1) / static_cast<double>(rollouts.size()));
+    }
+  };
+  std::vector<std::thread> others;
+  for (int i = 1; i < options.threads; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+  return {};
+}
+
+}  // namespace trocar::trial

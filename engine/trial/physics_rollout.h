@@ -1,0 +1,61 @@
+/// The agent's policy in the simulator: from a start the left tool goes cell by cell, with its limits, reach and
+/// contacts.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/progress.h"
+#include "engine/core/result.h"
+#include "engine/learning/model.h"
+
+namespace trocar::trial {
+
+struct PhysicsOptions {
+  std::uint64_t seed = 1;   ///< Of the blocks' yaw, and of where in its cell a start lies.
+  bool continuous = false;  ///< The start is anywhere in its cell, evenly; else its middle.
+  double time_limit_s = 60.0;
+  int threads = 2;  ///< 1 … 64; the result does not depend on it.
+};
+
+enum class PhysicsEnd : std::uint8_t { kArrives, kLoops, kDeadEnd, kOutsideSafeSet, kOutOfReach, kTimeUp };
+std::string_view to_string(PhysicsEnd end);
+
+/// From when the tool has been led to the start. In segment C no block is in the jaws.
+struct PhysicsRollout {
+  PhysicsEnd end = PhysicsEnd::kDeadEnd;
+  int steps = 0;  ///< Cells that the policy led through.
+  double duration_s = 0.0;
+  double length_m = 0.0;         ///< Of the tip's way.
+  double pushed_m = 0.0;         ///< By how much the block that moved most was moved.
+  std::uint64_t state_hash = 0;  ///< Of the world at the end.
+  bool operator==(const PhysicsRollout&) const = default;
+};
+
+/// In a new world, with closed jaws, led to the start from above. The policy is asked for the cell that the tool is
+/// measured in; a cell is 1/8 s. The same on every thread.
+PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<std::uint8_t>& policy,
+                               spatial::CellIndex start, const PhysicsOptions& options);
+
+/// One for each start, nothing where none was run yet.
+using PhysicsRollouts = std::vector<std::optional<PhysicsRollout>>;
+int finished(const PhysicsRollouts& rollouts);
+
+/// Runs those that are still missing in `rollouts`. Cancelled it keeps what was finished: called again with that, it
+/// goes on, to the same result. Errors: kInvalidArgument for options out of range, or another count of rollouts than
+/// of starts, or starts outside of the lattice.
+Status run_physics(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
+                   const PhysicsOptions& options, PhysicsRollouts& rollouts, Progress& progress);
+
+/// A header and one row for each start that was run, in their order, each with the hash of the model and the seed.
+std::string physics_csv(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
+                        const PhysicsOptions& options, const PhysicsRollouts& rollouts);
+/// What such a file holds of these starts. Errors: kCorrupt, naming the line; kInvalidArgument if it is of another
+/// model, seed or kind of start.
+Result<PhysicsRollouts> parse_physics_csv(std::string_view csv, const learning::Model& model,
+                                          const std::vector<spatial::CellIndex>& starts, const PhysicsOptions& options);
+
+}  // namespace trocar::trial
