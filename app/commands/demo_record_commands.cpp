@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/commands/demo_commands.h"
+#include "app/commands/rollout_commands.h"
 #include "engine/core/file.h"
 #include "engine/demonstration/edit_fields.h"
 #include "engine/trial/key_script.h"
@@ -26,6 +27,8 @@ struct RecordArguments {
   std::string right;  ///< "": scripted, and in a part that is replaced it goes on as it is.
   std::string replay;
   double time_limit_s = 0.0;  ///< 0: as the operator has it.
+  std::string from_cell;
+  int grid = 22;
   double from_s = -1.0;
   double to_s = -1.0;
 };
@@ -53,6 +56,11 @@ void bind_keys(CLI::App& verb, RecordArguments& arguments) {
                   "Who drives the right arm, likewise: scripted if nobody says, and replay where a part is replaced")
       ->check(CLI::IsMember(kSources));
   verb.add_option("--replay", arguments.replay, "The demonstration whose arm is replayed, or part replaced");
+  verb.add_option("--from-cell", arguments.from_cell,
+                  "I,J,K: lead the left tool into this cell of the lattice before it begins; operator keys");
+  verb.add_option("--grid", arguments.grid, "Cells a side of that lattice")
+      ->check(CLI::Range(4, 176))
+      ->capture_default_str();
   verb.add_option("--from", arguments.from_s, "Seconds: replace what is from here …; with --replay")
       ->check(CLI::NonNegativeNumber);
   verb.add_option("--to", arguments.to_s, "… to here by what is recorded")->check(CLI::NonNegativeNumber);
@@ -138,6 +146,10 @@ Result<workbench::RecordByHand> take_of(const RecordArguments& arguments, const 
   if (punches && (arguments.from_s < 0.0 || arguments.to_s <= arguments.from_s || arguments.replay.empty())) {
     return fail(ErrorCode::kInvalidArgument, "to replace a part, say which: --replay DEMO --from S --to S");
   }
+  if (!arguments.from_cell.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(const spatial::CellCoordinates cell, coordinates_from(arguments.from_cell));
+    request.from = workbench::FromCell{cell, arguments.grid};
+  }
   if (punches) request.punch = workbench::TimeSpan{arguments.from_s, arguments.to_s};
   if (arguments.replay.empty()) return request;
   TROCAR_ASSIGN_OR_RETURN(const auto replayed, find_demonstration(project, arguments.replay));
@@ -170,8 +182,9 @@ Result<Answer> run_record(const RecordArguments& arguments, Console& console) {
   if (!arguments.script.empty()) return fail(ErrorCode::kInvalidArgument, "a --script is played by operator keys");
   const RecordArguments untouched;
   if (arguments.mode != untouched.mode || arguments.left != untouched.left || arguments.right != untouched.right ||
-      !arguments.replay.empty()) {
-    return fail(ErrorCode::kInvalidArgument, "--mode, --left, --right and --replay go with --operator keys");
+      !arguments.replay.empty() || !arguments.from_cell.empty()) {
+    return fail(ErrorCode::kInvalidArgument,
+                "--mode, --left, --right, --replay and --from-cell go with --operator keys");
   }
   trial::TransferOptions options = arguments.options;
   if (arguments.time_limit_s > 0.0) options.time_limit_s = arguments.time_limit_s;

@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 
+#include <optional>
+
+#include "app/commands/rollout_commands.h"
 #include "app/lookup.h"
 #include "app/options.h"
-#include "app/starts.h"
 #include "engine/core/file.h"
 #include "engine/learning/rollout.h"
+#include "engine/learning/start_file.h"
+#include "engine/learning/start_set.h"
+#include "engine/workbench/rolling.h"
 
 namespace trocar::app {
 namespace {
@@ -14,15 +19,25 @@ struct RunArguments {
   std::string model;
   std::string starts;
   std::string out;
+  double epsilon = -1.0;  ///< < 0: the agent does not err.
+  learning::MonteCarloOptions erring;
 };
 
 void bind_run(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("MODEL", arguments.model, "Id or name")->required();
-  verb.add_option(
-      "--starts", arguments.starts,
-      "all, around:K (within ±K cells) or file:F.csv (columns i,j,k); else around:3, and ±1 … ±5 beside it");
+  verb.add_option("--starts", arguments.starts, starts_help() + "; else around:3, and ±1 … ±5 beside it");
   verb.add_option("--out", arguments.out, "F.csv: also write one row for each rollout");
+  verb.add_option("--epsilon", arguments.epsilon,
+                  "Let the agent err: this share of its actions is drawn evenly from those allowed, 0 … 1")
+      ->check(CLI::Range(0.0, 1.0));
+  verb.add_option("--runs", arguments.erring.runs, "Random rollouts for each start; with --epsilon")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  add_seed(verb, arguments.erring.seed, "Seed of the random rollouts");
+  verb.add_option("--threads", arguments.erring.threads, "For random rollouts; the result does not depend on it")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
 }
 
 Json json_of(const learning::RolloutSummary& summary) {
@@ -31,24 +46,6 @@ Json json_of(const learning::RolloutSummary& summary) {
           {"looped", summary.looped},
           {"dead_end", summary.dead_end},
           {"from_above", summary.from_above}};
-}
-
-Result<std::string> csv_of(const learning::Model& model, const std::vector<std::uint8_t>& policy,
-                           const std::vector<spatial::CellIndex>& starts, Progress& progress) {
-  std::string csv =
-      "i,j,k,end,steps,length_mm,straightness,max_deviation_mm,mean_deviation_mm,frechet_mm,from_above,reward_sum,"
-      "divergence_step\n";
-  for (std::size_t n = 0; n < starts.size(); ++n) {
-    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before all rollouts were written");
-    progress.set(static_cast<double>(n) / static_cast<double>(starts.size()));
-    const learning::Rollout r = learning::rollout(model, policy, starts[n]);
-    const spatial::CellCoordinates c = model.grid.coordinates(r.start);
-    csv += fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:d},{:.9g},{}\n", c.x, c.y, c.z,
-                       learning::to_string(r.end), r.cells.size() - 1, 1e3 * r.length_m, r.straightness,
-                       1e3 * r.max_deviation_m, 1e3 * r.mean_deviation_m, 1e3 * r.frechet_m, r.from_above, r.reward_sum,
-                       r.divergence_step);
-  }
-  return csv;
 }
 
 double percent(int part, int whole) {
@@ -65,13 +62,34 @@ std::string line_of(const learning::RolloutSummary& summary, demonstration::Segm
   return line;
 }
 
+/// What erring at random does, for people and programs.
+void tell_erring(const workbench::MonteCarloView& found, Answer& answer) {
+  const double share = found.runs == 0 ? 0.0 : static_cast<double>(found.arrived) / static_cast<double>(found.runs);
+  answer.json["monte_carlo"] = {{"runs", found.runs}, {"starts", found.result.finished}, {"arrived", found.arrived},
+                                {"share", share},     {"low", found.interval.low},       {"high", found.interval.high}};
+  answer.text += fmt::format("\n  with ε = {:g}: {} of {} arrive ({:.2f} %, 95 % interval {:.2f} to {:.2f} %)",
+                             found.result.options.epsilon, found.arrived, found.runs, 100.0 * share,
+                             100.0 * found.interval.low, 100.0 * found.interval.high);
+}
+
+Result<std::optional<learning::MonteCarlo>> err_at_random(const RunArguments& arguments, const learning::Model& model,
+                                                          const std::vector<spatial::CellIndex>& starts,
+                                                          Progress& progress) {
+  if (arguments.epsilon < 0.0) return std::optional<learning::MonteCarlo>();
+  learning::MonteCarloOptions options = arguments.erring;
+  options.epsilon = arguments.epsilon;
+  TROCAR_ASSIGN_OR_RETURN(learning::MonteCarlo result, learning::monte_carlo(model, starts, options, progress));
+  if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before all random rollouts were done");
+  return std::optional(std::move(result));
+}
+
 Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   if (!arguments.out.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".csv"}));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   const learning::Model& model = *entry->model;
   TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts,
-                          starts_from(arguments.starts.empty() ? "around:3" : arguments.starts, model));
+                          learning::read_starts(arguments.starts.empty() ? "around:3" : arguments.starts, model));
   warn_if_stale(*file.project(), *entry, console);
 
   const double begin_s = console.clock->now_s();
@@ -79,8 +97,11 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   const learning::Basin basin = learning::basin(model, policy);
   const learning::RolloutSummary summary = learning::summarise(basin, starts);
   const double seconds = console.clock->now_s() - begin_s;
+  TROCAR_ASSIGN_OR_RETURN(const std::optional<learning::MonteCarlo> erring,
+                          err_at_random(arguments, model, starts, console.progress()));
   if (!arguments.out.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(const std::string csv, csv_of(model, policy, starts, console.progress()));
+    TROCAR_ASSIGN_OR_RETURN(const std::string csv,
+                            workbench::rollout_rows(model, starts, erring ? &*erring : nullptr, console.progress()));
     TROCAR_RETURN_IF_ERROR(write_file(arguments.out, csv));
   }
 
@@ -99,6 +120,7 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
     answer.json["around"].push_back(std::move(row));
     if (arguments.starts.empty()) answer.text += fmt::format("\n  within ±{}: {}", k, line_of(near, entry->segment));
   }
+  if (erring) tell_erring(workbench::monte_carlo_view(entry, arguments.starts, *erring), answer);
   return answer;
 }
 
@@ -123,7 +145,8 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
   if (a->model->grid != b->model->grid) {
     return fail(ErrorCode::kInvalidArgument, "the models have different lattices");
   }
-  TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts, starts_from(arguments.starts, *a->model));
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts,
+                          learning::read_starts(arguments.starts, *a->model));
   warn_if_stale(*file.project(), *a, console);
   if (a != b) warn_if_stale(*file.project(), *b, console);
   warn_if_unlike(*a, *b, console);
@@ -143,11 +166,17 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
 
 }  // namespace
 
+std::string starts_help() {
+  return std::string(learning::start_set_help()) + ", or file:F.csv (columns i,j,k)";
+}
+
 void add_rollout_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun = *root.add_subcommand("rollout", "Let the agent run from many starts")->require_subcommand(1);
   add_verb<RunArguments>(noun, chosen, "run", "Roll a model's policy out and count how it ends", bind_run, run_run);
   add_verb<CompareArguments>(noun, chosen, "compare", "Compare two models over the same starts", bind_compare,
                              run_compare);
+  add_rollout_look_commands(noun, chosen);
+  add_rollout_physics_command(noun, chosen);
 }
 
 }  // namespace trocar::app

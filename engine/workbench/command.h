@@ -11,10 +11,12 @@
 
 #include "engine/learning/field.h"
 #include "engine/learning/model.h"
+#include "engine/learning/monte_carlo.h"
 #include "engine/media/video_writer.h"
 #include "engine/plot/colour_map.h"
 #include "engine/scene/scene.h"
 #include "engine/trial/hand_session.h"
+#include "engine/trial/physics_rollout.h"
 #include "engine/trial/transfer_session.h"
 #include "engine/workbench/clipboard.h"
 #include "engine/workbench/comparing.h"
@@ -158,13 +160,28 @@ struct SetField {
   FieldSettings settings;
 };
 struct RolloutSettings {
-  std::string starts = "around:3";  ///< As `learning::starts_from` reads it.
+  std::string starts = "around:3";  ///< As `learning::read_starts` reads it.
   bool ghosts = true;               ///< Draw them in the 3-D view.
   int ghost_count = 60;
+  /// The start whose rollout stands out; it need not be one of `starts`.
+  std::optional<spatial::CellIndex> selected;
   bool operator==(const RolloutSettings&) const = default;
 };
 struct SetRollouts {
   RolloutSettings settings;
+};
+/// Lets the agent err at random, from the chosen starts; what is finished of a cancelled one is kept.
+struct RunMonteCarlo {
+  learning::MonteCarloOptions options;
+};
+/// Drives the selected model's policy through the simulator, from the chosen starts. Asked for again after it was
+/// cancelled, it goes on where it stopped.
+struct RunPhysics {
+  trial::PhysicsOptions options;
+};
+/// Writes the rollouts from the chosen starts, with what erring at random found if that is of them.
+struct ExportRollouts {
+  std::filesystem::path path;
 };
 /// How models are looked at: beside which other one, at which epoch, and whether a model of the method `exact` follows
 /// its demonstrations while they are edited.
@@ -188,6 +205,12 @@ struct RecordScripted {
 struct StopRecording {
   bool keep = true;
 };
+/// A cell of the cube of `grid` cells a side.
+struct FromCell {
+  spatial::CellCoordinates cell;
+  int grid = 22;
+  bool operator==(const FromCell&) const = default;
+};
 /// A person drives live: the simulator runs at once, recording begins after the countdown.
 struct RecordByHand {
   trial::HandOptions options;     ///< World, lead-in and replay are found from what follows.
@@ -196,6 +219,7 @@ struct RecordByHand {
   bool gamepad = false;           ///< Drives too.
   bool space_mouse = false;       ///< Likewise; a take without it is armed if it has gone.
   std::optional<TimeSpan> punch;  ///< Of `replayed`: only that is recorded, and replaces it.
+  std::optional<FromCell> from;   ///< Where the left tool is led before it begins; not with `punch`.
 };
 /// Looks which devices can drive; `WorkbenchState::space_mouse_missing` tells.
 struct FindDevices {};
@@ -271,8 +295,8 @@ using Command =
                  SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch,
                  NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping,
                  SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetRollouts,
-                 SetLearning, RecordScripted, StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake,
-                 TrainModel, VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, ReadImport,
-                 EndImport, MakeImport, ExportDemonstrations, CancelJob, Report>;
+                 SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, RecordScripted, StopRecording, RecordByHand,
+                 FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration, FixProblems,
+                 ExportVideo, ExportField, ReadImport, EndImport, MakeImport, ExportDemonstrations, CancelJob, Report>;
 
 }  // namespace trocar::workbench

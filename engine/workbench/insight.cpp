@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/learning/learning_history.h"
-#include "engine/learning/start_set.h"
+#include "engine/learning/start_file.h"
 #include "engine/peg_board/obstacles.h"
 #include "engine/workbench/jobs/train_job.h"
 
@@ -136,9 +136,38 @@ void InsightMaker::add_second(const InsightRequest& request, ModelInsight& insig
   second.entry = request.second;
   second.comparison = compared_.comparison;
   second.outcomes = compared_.outcomes;
+  second.paired = learning::compare(second.comparison->basin_a, second.comparison->basin_b, insight.starts);
+  if (insight.selected) {
+    second.selected = learning::rollout(b, learning::greedy_policy(b), insight.selected->start);
+    second.parts_at = learning::first_divergence(insight.selected->cells, second.selected->cells);
+  }
   second.field = std::make_shared<const learning::Field>(field_of(b, request.layer));
   second.difference = std::make_shared<const learning::Field>(learning::difference(*insight.field, *second.field));
   insight.second = std::move(second);
+}
+
+void InsightMaker::add_rollouts(const InsightRequest& request, ModelInsight& insight) {
+  const learning::Model& model = *insight.entry->model;
+  // What follows an edit has to keep up with the mouse.
+  const bool brief = insight.following.has_value();
+  if (!listed_.rollouts || listed_.of != insight.entry || listed_.starts != insight.starts || listed_.brief != brief) {
+    listed_.of = insight.entry;
+    listed_.starts = insight.starts;
+    listed_.brief = brief;
+    listed_.rollouts = std::make_shared<const std::vector<learning::Rollout>>(
+        brief ? insight.ghosts : sample_rollouts(model, *insight.policy, insight.starts, kMostListed));
+    listed_.band = learning::deviation_band(model, *listed_.rollouts);
+    listed_.clearance_m = std::make_shared<const std::vector<double>>(peg_board::clearances_m(model.grid));
+  }
+  insight.listed = listed_.rollouts;
+  insight.band = listed_.band;
+  insight.clearance_m = listed_.clearance_m;
+  const auto& selected = request.rollouts.selected;
+  if (!selected || selected->value < 0 || selected->value >= model.grid.cell_count()) return;
+  insight.selected = learning::rollout(model, *insight.policy, *selected);
+  if (insight.selected->end != learning::RolloutEnd::kArrives) {
+    insight.why = learning::explain(model, *insight.policy, *selected);
+  }
 }
 
 std::shared_ptr<const ModelInsight> InsightMaker::make(const InsightRequest& request) {
@@ -170,13 +199,14 @@ std::shared_ptr<const ModelInsight> InsightMaker::make(const InsightRequest& req
   insight->epochs = epochs;
   insight->epoch = early ? request.epoch : epochs;
   insight->field = std::make_shared<const learning::Field>(field_of(model, request.layer));
-  if (auto starts = learning::starts_from(request.rollouts.starts, model)) {
+  if (auto starts = learning::read_starts(request.rollouts.starts, model)) {
     insight->starts = std::move(*starts);
   } else {
     insight->starts_error = starts.error().text();
   }
   insight->chosen = learning::summarise(*insight->basin, insight->starts);
   insight->ghosts = sample_rollouts(model, *insight->policy, insight->starts, request.rollouts.ghost_count);
+  add_rollouts(request, *insight);
   add_second(request, *insight);
   return insight;
 }

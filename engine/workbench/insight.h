@@ -8,15 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "engine/learning/explanation.h"
 #include "engine/learning/field.h"
 #include "engine/learning/model_comparison.h"
 #include "engine/learning/rollout.h"
+#include "engine/learning/rollout_table.h"
 #include "engine/workbench/command.h"
 #include "engine/workbench/project.h"
 
 namespace trocar::workbench {
 
 constexpr int kLargestAround = 5;
+constexpr int kMostListed = 12'000;
 
 /// The model that the first is compared with.
 struct SecondModel {
@@ -25,6 +28,9 @@ struct SecondModel {
   std::shared_ptr<const learning::Field> difference;            ///< This one's layer less the first's.
   std::shared_ptr<const learning::ModelComparison> comparison;  ///< A: the first, B: this one.
   std::shared_ptr<const learning::Field> outcomes;              ///< Of each start, with the first and with this one.
+  learning::PairedComparison paired;                            ///< Over the chosen starts.
+  std::optional<learning::Rollout> selected;                    ///< From the selected start, with this one.
+  std::optional<int> parts_at;                                  ///< First step at which the two go different ways.
 };
 
 /// How a model keeps up with a demonstration that is being edited.
@@ -53,6 +59,12 @@ struct ModelInsight {
   std::string starts_error;                ///< Why they are none.
   learning::RolloutSummary chosen;         ///< Of `starts`.
   std::vector<learning::Rollout> ghosts;   ///< For `RolloutSettings`, evenly over the starts.
+  /// Of the starts, evenly over them if there are more than `kMostListed`; while a demonstration is edited, the ghosts.
+  std::shared_ptr<const std::vector<learning::Rollout>> listed;
+  learning::DeviationBand band;                            ///< Of `listed`.
+  std::shared_ptr<const std::vector<double>> clearance_m;  ///< Of each cell from pegs and board.
+  std::optional<learning::Rollout> selected;               ///< Of `RolloutSettings::selected`.
+  std::optional<learning::Explanation> why;                ///< If that one does not arrive.
   std::optional<SecondModel> second;
   std::string second_error;  ///< Why it cannot be compared.
 };
@@ -79,6 +91,7 @@ class InsightMaker {
  private:
   std::shared_ptr<const ModelEntry> followed(const InsightRequest& request, Following& following);
   std::shared_ptr<const ModelEntry> at_epoch(const InsightRequest& request);
+  void add_rollouts(const InsightRequest& request, ModelInsight& insight);
   void add_second(const InsightRequest& request, ModelInsight& insight);
 
   std::shared_ptr<const ModelInsight> of_model_;
@@ -86,6 +99,14 @@ class InsightMaker {
   std::shared_ptr<const ModelEntry> followed_;  ///< Null: none yet.
   std::shared_ptr<const ModelEntry> early_;
   int early_epoch_ = -1;
+  struct Listed {
+    std::shared_ptr<const ModelEntry> of;
+    std::vector<spatial::CellIndex> starts;
+    bool brief = false;
+    std::shared_ptr<const std::vector<learning::Rollout>> rollouts;
+    learning::DeviationBand band;
+    std::shared_ptr<const std::vector<double>> clearance_m;
+  } listed_;
   struct Compared {
     std::shared_ptr<const ModelEntry> a;
     std::shared_ptr<const ModelEntry> b;

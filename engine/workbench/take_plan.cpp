@@ -50,6 +50,24 @@ Result<demonstration::Arms> recorded_arms(const std::array<trial::ArmSource, 2>&
   return fail(ErrorCode::kInvalidArgument, "both arms replay what is there: nothing would be replaced");
 }
 
+/// Where the left tool is led to. The arm must reach it as it is turned at first.
+Result<Eigen::Vector3d> place_of(const FromCell& from) {
+  if (from.grid < 1 || from.grid > 176) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("a lattice has 1 to 176 cells a side, not {}", from.grid));
+  }
+  const spatial::Grid grid = spatial::Grid::with_cells(from.grid);
+  const spatial::CellCoordinates& c = from.cell;
+  if (!grid.contains(c)) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("there is no cell {}, {}, {} in a lattice of {} a side", c.x, c.y, c.z, from.grid));
+  }
+  spatial::Pose X_WT = kinematics::ready_pose(kinematics::ArmSide::kLeft);
+  X_WT.p = grid.centre(grid.index(c));
+  const auto joints = kinematics::inverse(kinematics::psm_model(kinematics::ArmSide::kLeft), X_WT);
+  if (joints) return X_WT.p;
+  return tl::unexpected<Error>(Error(joints.error()).in(fmt::format("begin in cell {}, {}, {}", c.x, c.y, c.z)));
+}
+
 }  // namespace
 
 RecordByHand another_take(RecordByHand request) {
@@ -76,7 +94,11 @@ Result<TakePlan> plan_take(const Project& project, const RecordByHand& request) 
   plan.options.device = "keyboard and mouse";
   if (request.gamepad) plan.options.device += ", gamepad";
   if (request.space_mouse) plan.options.device += ", SpaceMouse";
-  plan.name = request.name.empty() ? take_name(project, "By hand") : request.name;
+  plan.name = request.name.empty() ? take_name(project, request.from ? "Corrective" : "By hand") : request.name;
+  if (request.from) {
+    if (request.punch) return fail(ErrorCode::kInvalidArgument, "a punch-in begins where the span does, not in a cell");
+    TROCAR_ASSIGN_OR_RETURN(plan.options.begin_p_WT[0], place_of(*request.from));
+  }
   if (!request.replayed.value) {
     if (request.punch) return fail(ErrorCode::kInvalidArgument, "a punch-in needs a demonstration to go into");
     return plan;

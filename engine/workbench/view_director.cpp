@@ -33,6 +33,14 @@ void add_ghosts(const ModelInsight& insight, std::vector<stage::PathLayer>& path
     for (const spatial::CellIndex cell : rollout.cells) path.points.push_back(insight.entry->model->grid.centre(cell));
     paths.push_back(std::move(path));
   }
+  if (!insight.selected || insight.selected->cells.size() < 2) return;
+  stage::PathLayer chosen;
+  chosen.radius_m = 0.001;  // What stands out is thick, in the colour of its end as all others.
+  chosen.colours = {colours[static_cast<std::size_t>(insight.selected->end)]};
+  for (const spatial::CellIndex cell : insight.selected->cells) {
+    chosen.points.push_back(insight.entry->model->grid.centre(cell));
+  }
+  paths.push_back(std::move(chosen));
 }
 
 /// Where the tools went before the edit that is shown.

@@ -95,6 +95,9 @@ void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
   file = std::move(opened);
   state.clipboard.reset();
   state.selection.reset();
+  state.monte_carlo.reset();
+  state.physics.reset();
+  state.rollouts.selected.reset();
   state.history.clear();
   state.sketches.clear();
   sketches_wanted.clear();

@@ -115,8 +115,9 @@ void Workbench::Impl::on(const SetField& command) {
 }
 
 void Workbench::Impl::on(const SetRollouts& command) {
-  const bool other_starts =
-      command.settings.starts != state.rollouts.starts || command.settings.ghost_count != state.rollouts.ghost_count;
+  const bool other_starts = command.settings.starts != state.rollouts.starts ||
+                            command.settings.ghost_count != state.rollouts.ghost_count ||
+                            command.settings.selected != state.rollouts.selected;
   state.rollouts = command.settings;
   dirty = true;
   if (other_starts) request_insight();

@@ -54,6 +54,9 @@ struct Workbench::Impl {
   void on(const SetField& command);
   void on(const SetRollouts& command);
   void on(const SetLearning& command);
+  void on(const RunMonteCarlo& command);
+  void on(const RunPhysics& command);
+  void on(const ExportRollouts& command);
   void on(const RecordScripted& command);
   void on(const StopRecording& command);
   void on(const RecordByHand& command);

@@ -24,6 +24,7 @@
 #include "engine/workbench/project.h"
 #include "engine/workbench/project_file.h"
 #include "engine/workbench/reviewing.h"
+#include "engine/workbench/rolling.h"
 #include "engine/workbench/take_view.h"
 
 namespace trocar::workbench {
@@ -103,6 +104,9 @@ struct WorkbenchState {
   LearningSettings learning;
   std::shared_ptr<const ModelInsight> insight;  ///< Of the selected model; null until worked out.
   bool insight_pending = false;
+  /// The last ones; of another model or other starts than are shown now, if they say so.
+  std::shared_ptr<const MonteCarloView> monte_carlo;
+  std::shared_ptr<const PhysicsView> physics;
   std::optional<LiveView> live;
   std::optional<TakeView> take;                 ///< With `live`, if a person drives.
   std::shared_ptr<const LiveTrace> live_trace;  ///< With `live`: what was recorded so far, for the lanes.

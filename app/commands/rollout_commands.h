@@ -1,0 +1,23 @@
+/// The verbs of `trocar rollout`, in groups.
+#pragma once
+
+#include <string>
+
+#include "app/options.h"
+#include "engine/core/result.h"
+#include "engine/spatial/grid.h"
+
+namespace trocar::app {
+
+void add_rollout_look_commands(CLI::App& noun, Action& chosen);  ///< why, diverge
+void add_rollout_physics_command(CLI::App& noun, Action& chosen);
+
+/// What `--starts` takes.
+std::string starts_help();
+
+/// "3,4,5" as a cell. Errors: kInvalidArgument for anything else, and for a cell outside of the lattice.
+Result<spatial::CellIndex> cell_from(const std::string& text, const spatial::Grid& grid);
+/// "3,4,5" alone, whatever the lattice.
+Result<spatial::CellCoordinates> coordinates_from(const std::string& text);
+
+}  // namespace trocar::app

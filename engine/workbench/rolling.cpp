@@ -1,0 +1,42 @@
+#include "engine/workbench/rolling.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/peg_board/obstacles.h"
+
+namespace trocar::workbench {
+
+MonteCarloView monte_carlo_view(std::shared_ptr<const ModelEntry> entry, std::string starts,
+                                learning::MonteCarlo result) {
+  MonteCarloView view;
+  view.share = std::make_shared<const learning::Field>(learning::success_share(entry->model->grid, result));
+  view.entry = std::move(entry);
+  view.starts = std::move(starts);
+  view.runs = static_cast<std::int64_t>(result.finished) * result.runs();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(result.finished); ++i) view.arrived += result.arrived[i];
+  view.interval = statistics::wilson_interval(view.arrived, view.runs);
+  view.result = std::move(result);
+  return view;
+}
+
+PhysicsView physics_view(std::shared_ptr<const ModelEntry> entry, std::string starts,
+                         std::vector<spatial::CellIndex> cells, const trial::PhysicsOptions& options,
+                         trial::PhysicsRollouts rollouts) {
+  PhysicsView view{std::move(entry), std::move(starts), std::move(cells), options, std::move(rollouts)};
+  view.finished = trial::finished(view.rollouts);
+  for (const auto& rollout : view.rollouts) {
+    if (!rollout) continue;
+    view.arrived += rollout->end == trial::PhysicsEnd::kArrives ? 1 : 0;
+    view.pushed_m = std::max(view.pushed_m, rollout->pushed_m);
+  }
+  return view;
+}
+
+Result<std::string> rollout_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
+                                 const learning::MonteCarlo* monte_carlo, Progress& progress) {
+  const std::vector<double> clearance_m = peg_board::clearances_m(model.grid);
+  return learning::rollout_csv(model, learning::greedy_policy(model), starts, {clearance_m, monte_carlo}, progress);
+}
+
+}  // namespace trocar::workbench
