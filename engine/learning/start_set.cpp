@@ -126,9 +126,15 @@ Starts gaussian(std::string_view rest, const Model& model) {
   std::vector<CellIndex> cells;
   cells.reserve(static_cast<std::size_t>(*count));
   while (cells.size() < static_cast<std::size_t>(*count)) {
-    Eigen::Vector3d away;
-    for (int axis = 0; axis < 3; ++axis) away[axis] = 1e-3 * *sigma_mm * random.normal();
-    if (const Result<CellIndex> cell = model.grid.cell_at(middle + away)) cells.push_back(*cell);
+    // The lattice is a box: to draw one coordinate anew is to draw from the same distribution, and takes fewer tries.
+    Eigen::Vector3d place;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = model.grid.p_WGo[axis];
+      do {
+        place[axis] = middle[axis] + 1e-3 * *sigma_mm * random.normal();
+      } while (place[axis] < low || place[axis] >= low + model.grid.n * model.grid.cell_m);
+    }
+    if (const Result<CellIndex> cell = model.grid.cell_at(place)) cells.push_back(*cell);
   }
   return cells;
 }
