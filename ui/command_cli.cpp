@@ -80,6 +80,7 @@ constexpr std::array<Equivalent, 73> kEquivalents{{
     {"tool.nudge_", "trocar demo edit P DEMO move --at S"},
     {"tool.fine_", "trocar demo edit P DEMO move --at S"},
     {"view.camera_", "trocar view render P DEMO --camera paper|top|side|front --out F.png"},
+    {"view.field", "trocar view render P DEMO --model M --layer reward --volume --out F.png"},
     {"view.curves", "trocar demo plot P DEMO --out F.png"},
     {"view.diff", "trocar demo diff P DEMO"},
     {"view.comparison", "trocar demo diff P DEMO"},

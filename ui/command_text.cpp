@@ -187,6 +187,34 @@ std::string export_text(const ExportDemonstrations& command, const std::string& 
   return text;
 }
 
+/// The field in the view, from the paper's camera or a preset; "" where there is nothing to draw it with.
+std::string view_text(const workbench::FieldSettings& field, const WorkbenchState& state, const std::string& project) {
+  if (state.demonstration == DemonstrationId{} || state.model == ModelId{}) return "";
+  std::string text = fmt::format("trocar view render {} {} --model {} --layer {}", project, state.demonstration.value,
+                                 state.model.value, learning::to_string(field.layer));
+  if (field.scale != plot::ScaleKind::kLinear) text += fmt::format(" --scale {}", plot::to_string(field.scale));
+  if (field.map) text += fmt::format(" --map {}", plot::to_string(*field.map));
+  if (field.vision != plot::ColourVision::kFull) text += fmt::format(" --vision {}", plot::to_string(field.vision));
+  if (field.limits) text += fmt::format(" --limits {} {}", (*field.limits)[0], (*field.limits)[1]);
+  constexpr std::array<char, 3> kAxes{'x', 'y', 'z'};
+  bool slices = false;
+  for (std::size_t i = 0; i < kAxes.size(); ++i) {
+    if (field.slices[i] < 0) continue;
+    text += fmt::format(" --slice {}={}", kAxes[i], field.slices[i]);
+    slices = true;
+  }
+  if (!slices) text += " --no-slices";
+  if (field.slabs != std::array{1, 1, 1}) {
+    text += fmt::format(" --slab {},{},{}", field.slabs[0], field.slabs[1], field.slabs[2]);
+  }
+  if (field.voxels) text += fmt::format(" --voxels {:.6g}", field.voxel_threshold);
+  if (field.iso_surface) text += fmt::format(" --iso {:.6g}", field.iso_level);
+  if (field.volume) text += " --volume";
+  if (field.glyphs != workbench::Glyphs::kNone) text += fmt::format(" --glyphs {}", to_string(field.glyphs));
+  if (field.streamlines) text += " --streamlines " + shell_word(field.streamline_starts);
+  return text + fmt::format(" --opacity {:.6g} --out F.png", field.opacity);
+}
+
 constexpr std::array<const char*, 4> kCameras{"paper", "top", "side", "front"};
 
 std::string video_text(const ExportVideo& video, const std::string& project) {
@@ -264,6 +292,7 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
                        to_words(compare->settings.against), demonstration::to_string(compare->settings.alignment));
   }
   if (const auto* figure = std::get_if<ExportField>(&command)) return field_text(*figure, project);
+  if (const auto* field = std::get_if<SetField>(&command)) return view_text(field->settings, state, project);
   return "";
 }
 

@@ -37,7 +37,12 @@ constexpr PanelPage kFields{
     "Reward, value, Q, visits and what follows from them, as slices through the lattice of 22 cells a side. The probe "
     "tells all numbers of one cell.",
     {"view.field", "file.export_field", "model.train"},
-    {{{"Step a slice", "Wheel over it"}, {"Probe a cell", "Click it"}}}};
+    {{{"Step a slice", "Wheel over it"},
+      {"Thicker slice", "Shift+wheel over it"},
+      {"One slice alone", "X, Y, Z"},
+      {"Probe a cell", "Click it"},
+      {"Pin a cell", "Shift+click it"},
+      {"Copy cells as CSV", "Ctrl+C"}}}};
 constexpr PanelPage kRollouts{
     "What the agent does from every start",
     "How many starts arrive, loop or end nowhere, for all cells and for those near the expert's start. A start that is "

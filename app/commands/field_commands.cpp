@@ -6,6 +6,7 @@
 #include "app/lookup.h"
 #include "app/options.h"
 #include "engine/media/picture_file.h"
+#include "engine/workbench/insight.h"
 #include "engine/workbench/jobs/field_job.h"
 
 namespace trocar::app {
@@ -39,6 +40,9 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
       verb.add_option("--scale", arguments.scale,
                       "linear, log, symlog, percentile or rank (else what suits the layer)"),
       verb.add_option("--map", arguments.map, "Colour map (else what suits the layer)"),
+      verb.add_option("--vision", arguments.vision,
+                      "The colours as seen by full, protan, deutan, tritan or grey vision")
+          ->capture_default_str(),
       verb.add_option("--width", arguments.width, "Width of the picture in pixels")
           ->check(CLI::Range(100, 8192))
           ->capture_default_str()};
@@ -76,7 +80,7 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   warn_if_stale(*file.project(), *entry, console);
-  const learning::Field field = learning::field(*entry->model, layer);
+  const learning::Field field = workbench::field_of(*entry->model, layer);
   figure::FieldFigureOptions options = workbench::figure_options(*entry, field);
   if (!arguments.slice.empty()) {
     TROCAR_ASSIGN_OR_RETURN(options.slice, figure::slice_from(arguments.slice, field.grid));
@@ -87,6 +91,7 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   if (!arguments.map.empty()) {
     TROCAR_ASSIGN_OR_RETURN(options.map, plot::colour_map_from(arguments.map));
   }
+  TROCAR_ASSIGN_OR_RETURN(options.vision, plot::colour_vision_from(arguments.vision));
   options.width_px = arguments.width;
   const std::filesystem::path out = arguments.out;
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());

@@ -1,10 +1,13 @@
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <ctime>
+#include <memory>
 
 #include "engine/core/check.h"
 #include "engine/render/renderer.h"
 #include "engine/stage/stage.h"
+#include "engine/workbench/studio.h"
 
 namespace {
 
@@ -65,6 +68,59 @@ void frames(benchmark::State& state, const render::RenderOptions& options, bool 
   state.counters["triangles"] = static_cast<double>(triangles);
 }
 
+/// A field that is known in every cell: a cloud in which rays go far.
+std::shared_ptr<const learning::Field> cloud() {
+  auto field = std::make_shared<learning::Field>();
+  const Eigen::Vector3d middle =
+      field->grid.p_WGo + Eigen::Vector3d::Constant(0.5 * field->grid.n * field->grid.cell_m);
+  for (int s = 0; s < field->grid.cell_count(); ++s) {
+    const double r = (field->grid.centre({s}) - middle).norm();
+    field->values.push_back(std::exp(-r * r / 2e-4) + 0.2 * std::sin(400.0 * field->grid.centre({s}).x()));
+  }
+  return field;
+}
+
+/// One iteration is a frame of the 3-D view as the window asks for it while the camera circles: staged, drawn, marched
+/// through and labelled.
+void orbit_field(benchmark::State& state, const workbench::FieldSettings& settings, bool coarse) {
+  auto studio = workbench::Studio::create();
+  TROCAR_CHECK(studio.has_value());
+  workbench::ViewRequest request;
+  request.pose = pose_at(0);
+  request.fields = {workbench::field_layer(cloud(), settings)};
+  request.options.lattice_frame = true;
+  request.render = {960, 540, coarse ? 1 : 4, true, !coarse};
+  request.coarse = coarse;
+  scene::OrbitCamera orbit;
+  request.camera = orbit.camera();
+  TROCAR_CHECK(studio->picture(request).has_value());
+  int frame = 0;
+  const double begin_s = process_cpu_s();
+  for (auto _ : state) {
+    orbit.orbit(++frame % 50 < 25 ? 0.01 : -0.01, 0.0);
+    request.camera = orbit.camera();
+    benchmark::DoNotOptimize(studio->picture(request));
+  }
+  state.counters["cpu_ms"] = 1e3 * (process_cpu_s() - begin_s) / static_cast<double>(state.iterations());
+  state.counters["frames_hz"] =
+      benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+void volume_orbit_960x540(benchmark::State& state) {
+  workbench::FieldSettings settings;
+  settings.volume = true;
+  orbit_field(state, settings, true);
+}
+void volume_fine_960x540(benchmark::State& state) {
+  workbench::FieldSettings settings;
+  settings.volume = true;
+  orbit_field(state, settings, false);
+}
+void slices_orbit_960x540(benchmark::State& state) {
+  workbench::FieldSettings settings;
+  settings.slices = {11, 11, 11};
+  orbit_field(state, settings, true);
+}
+
 void render_640x480(benchmark::State& state) {
   frames(state, {640, 480, 1, true, false});
 }
@@ -92,5 +148,8 @@ BENCHMARK(render_1280x720_msaa4_circling)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(render_960x540_soft)->Name("render_960x540_soft")->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(render_1280x720_msaa4)->Name("render_1280x720_msaa4")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(volume_orbit_960x540)->Name("volume_orbit_960x540")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(volume_fine_960x540)->Name("volume_fine_960x540")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(slices_orbit_960x540)->Name("slices_orbit_960x540")->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -375,13 +375,20 @@ class Learning(CommandLineTest):
 
     def test_fields_as_figures(self):
         project = self.recorded_project()
-        for layer in ("reward", "value", "q+x", "q-z", "margin", "visits", "explored", "safe", "basin"):
+        for layer in ("reward", "value", "q+x", "q-z", "margin", "visits", "explored", "safe", "basin", "steps", "policy",
+                      "expert", "theta-change", "obstacles"):
             out = self.folder / f"{layer}.png"
             self.answer("field", "export", project, "A exact", "--layer", layer, "--slice", "z=11", "--out", out)
             self.assertEqual(out.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.answer("field", "export", project, "A exact", "--montage", "--out", self.folder / "m.svg")
         self.assertIn("<svg", (self.folder / "m.svg").read_text())
-        for wrong in (["--slice", "w=1"], ["--slice", "z=22"], ["--slice", "z=-1"], ["--layer", "mood"]):
+        seen = set()
+        for vision in ("full", "protan", "deutan", "tritan", "grey"):
+            out = self.folder / f"{vision}.png"
+            self.answer("field", "export", project, "A exact", "--slice", "z=11", "--vision", vision, "--out", out)
+            seen.add(out.read_bytes())
+        self.assertEqual(len(seen), 5)
+        for wrong in (["--slice", "w=1"], ["--slice", "z=22"], ["--slice", "z=-1"], ["--layer", "mood"], ["--vision", "dog"]):
             self.refused("field", "export", project, "A exact", *wrong, "--out", self.folder / "n.png", code=USAGE)
         self.refused("field", "export", project, "A exact", "--out", self.folder / "n.docx", code=USAGE)
         self.assertFalse(list(self.folder.glob("n.*")))
@@ -397,6 +404,28 @@ class Pictures(CommandLineTest):
         self.refused("view", "render", project, "1", "--camera", "moon", "--out", out, code=USAGE)
         for at in ("nan", "-1", "1e9"):
             self.refused("view", "render", project, "1", "--at", at, "--out", out, code=USAGE)
+
+    def test_a_view_draws_a_field_as_it_is_asked_to(self):
+        project = self.recorded_project()
+        pictures = set()
+        for n, drawing in enumerate(
+                ([], ["--no-slices"], ["--scale", "rank"], ["--map", "magma"], ["--vision", "grey"], ["--slice", "x=3"],
+                 ["--slab", "5"], ["--slab", "1,3,1"], ["--limits", "-3", "-1"], ["--glyphs", "best"], ["--glyphs", "stars"],
+                 ["--no-slices", "--voxels", "0.5"], ["--no-slices", "--iso", "0.5"], ["--no-slices", "--volume"],
+                 ["--no-slices", "--volume", "--opacity", "0.3"], ["--no-slices", "--streamlines", "around:2"])):
+            out = self.folder / f"{n}.png"
+            self.answer("view", "render", project, "1", "--size", "320x180", "--model", "A exact", "--layer", "reward", *drawing,
+                        "--out", out)
+            pictures.add(out.read_bytes())
+        self.assertEqual(len(pictures), 16)
+        out = self.folder / "no.png"
+        for wrong in (["--scale", "log10"], ["--map", "rainbow"], ["--vision", "dog"], ["--iso", "1.5"], ["--voxels", "-1"],
+                      ["--glyphs", "hats"], ["--streamlines", "there"], ["--slab", "0"], ["--slab", "1,2"], ["--limits", "2", "1"],
+                      ["--slice", "z=22"], ["--no-slices", "--slice", "z=2"], ["--layer", "safe", "--volume"],
+                      ["--layer", "policy", "--iso", "0.5"]):
+            self.refused("view", "render", project, "1", "--model", "A exact", *wrong, "--out", out, code=USAGE)
+        self.refused("view", "render", project, "1", "--volume", "--out", out, code=USAGE)
+        self.assertFalse(out.exists())
 
     def test_a_film_has_a_frame_for_each_moment(self):
         project = self.recorded_project()

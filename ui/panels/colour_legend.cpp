@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
+
+#include "ui/icons.h"
 
 namespace trocar::ui {
 namespace {
@@ -29,7 +32,7 @@ void draw_classes(Ui& ui, const FieldShading& shading) {
 
 void draw_ticks(Ui& ui, const FieldShading& shading, const Rect& bar) {
   const FontScope font(ui.fonts().small);
-  const plot::Scale& scale = shading.colouring().scale;
+  const plot::Scale& scale = shading.axis();
   const int wanted = std::max(2, static_cast<int>(bar.width() / ui.px(62)));
   const std::vector<double> values = plot::ticks(scale, wanted);
   const std::vector<std::string> words = plot::format_ticks(scale, values);
@@ -44,6 +47,78 @@ void draw_ticks(Ui& ui, const FieldShading& shading, const Rect& bar) {
     list.AddText({std::round(left), bar.y1 + ui.px(4)}, to_u32(ui.theme().text_dim), words[i].c_str());
     free_from = left + width + ui.px(8);
   }
+}
+
+void draw_title(Ui& ui, const FieldShading& shading, const LegendOptions& options) {
+  const std::string& unit = shading.field().unit;
+  small_text(ui, shading.field().title + (unit.empty() ? "" : ", " + unit), ui.theme().text_dim);
+  if (options.stale) {
+    ImGui::SameLine(0.0F, ui.px(8));
+    badge(ui, icon::kWarning, "stale", ui.theme().warning,
+          "A demonstration that this was learned from has been edited since");
+  }
+  ImGui::Dummy({0.0F, ui.px(2)});
+}
+
+// The few values that most cells do not have would not be seen: heights are square roots.
+void draw_histogram(Ui& ui, const FieldShading& shading, const Rect& rect) {
+  const std::vector<float>& bins = shading.histogram();
+  const float each = rect.width() / static_cast<float>(bins.size());
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    if (bins[i] <= 0.0F) continue;
+    const float x0 = std::round(rect.x0 + each * static_cast<float>(i));
+    const float x1 = std::max(std::round(rect.x0 + each * static_cast<float>(i + 1)) - 1.0F, x0 + 1.0F);
+    const float height = std::max(std::sqrt(bins[i]) * (rect.height() - ui.px(2)), 1.0F);
+    list.AddRectFilled({x0, rect.y1 - height}, {x1, rect.y1}, to_u32(ui.theme().text_dim, 0.55F));
+  }
+}
+
+void draw_bar(const FieldShading& shading, const Rect& bar) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  constexpr int kSteps = 64;
+  for (int i = 0; i < kSteps; ++i) {
+    const float x0 = std::round(bar.x0 + bar.width() * static_cast<float>(i) / kSteps);
+    const float x1 = std::round(bar.x0 + bar.width() * static_cast<float>(i + 1) / kSteps);
+    const Rgba colour = shading.colouring().colour(shading.axis().value((i + 0.5) / kSteps));
+    list.AddRectFilled({x0, bar.y0}, {x1, bar.y1}, to_u32(colour));
+  }
+}
+
+// A handle at one end of what the colours span; `which` 0: the low one.
+void take_limit(Ui& ui, const FieldShading& shading, const char* label, std::size_t which, const Rect& rect,
+                std::optional<std::array<double, 2>>& limits) {
+  const plot::Scale& axis = shading.axis();
+  const plot::Scale& shown = shading.colouring().scale;
+  const std::array<double, 2> now{shown.low, shown.high};
+  const float x = std::round(rect.x0 + static_cast<float>(axis.position(now[which])) * rect.width());
+  const float width = ui.px(14);
+  // Side by side, so that both can be taken where they meet.
+  ImGui::SetCursorScreenPos({which == 0 ? x - width : x, rect.y0});
+  if (which == 0 && x - width < rect.x0) ImGui::SetCursorScreenPos({rect.x0, rect.y0});
+  if (which == 1 && x + width > rect.x1) ImGui::SetCursorScreenPos({rect.x1 - width, rect.y0});
+  const std::vector<std::string> words = plot::format_ticks(shown, {shown.low, shown.high});
+  const bool hovered = canvas(ui, label, {width, rect.height()}, words[which],
+                              {.help = "Drag to where the colours end; double click: as the values are"});
+  const bool active = ImGui::IsItemActive();
+  if (hovered || active) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Rgba colour = hovered || active ? ui.theme().accent : limits ? ui.theme().text : ui.theme().text_dim;
+  list.AddRectFilled({x - 1.0F, rect.y0}, {x + 1.0F, rect.y1}, to_u32(colour));
+  const float grip = ui.px(5);
+  const float out = which == 0 ? grip : -grip;
+  list.AddTriangleFilled({x, rect.y0}, {x + out, rect.y0}, {x, rect.y0 + grip}, to_u32(colour));
+  if (hovered && ImGui::IsMouseDoubleClicked(0)) {
+    limits.reset();
+    return;
+  }
+  if (!active || !ImGui::IsMouseDragging(0, 1.0F)) return;
+  std::array<double, 2> moved = now;
+  moved[which] = axis.value(static_cast<double>((ImGui::GetIO().MousePos.x - rect.x0) / rect.width()));
+  // At least a hundredth of the bar apart.
+  const double gap = 0.01;
+  if (axis.position(moved[1]) - axis.position(moved[0]) < gap) return;
+  limits = moved;
 }
 
 }  // namespace
@@ -64,33 +139,36 @@ void draw_hatch(Ui& ui, const Rect& rect) {
   list.Flags = flags;
 }
 
-void colour_legend(Ui& ui, const FieldShading& shading, double marked) {
+std::optional<std::array<double, 2>> colour_legend(Ui& ui, const FieldShading& shading, double marked,
+                                                   const LegendOptions& options) {
+  draw_title(ui, shading, options);
   if (shading.field().categorical) {
     draw_classes(ui, shading);
-    return;
+    return options.limits;
   }
-  const std::string& unit = shading.field().unit;
-  small_text(ui, shading.field().title + (unit.empty() ? "" : ", " + unit), ui.theme().text_dim);
-  ImGui::Dummy({0.0F, ui.px(2)});
+  const Scope scope(ui, "Colour bar");
   const float height = ui.px(12);
+  const float above = ui.px(26);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const Rect bar{at.x, at.y, at.x + ImGui::GetContentRegionAvail().x, at.y + height};
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  constexpr int kSteps = 48;
-  for (int i = 0; i < kSteps; ++i) {
-    const float x0 = std::round(bar.x0 + bar.width() * static_cast<float>(i) / kSteps);
-    const float x1 = std::round(bar.x0 + bar.width() * static_cast<float>(i + 1) / kSteps);
-    const Rgba colour = shading.colouring().colour_at((i + 0.5) / kSteps);
-    list.AddRectFilled({x0, bar.y0}, {x1, bar.y1}, to_u32(colour));
-  }
+  const Rect bar{at.x, at.y + above, at.x + ImGui::GetContentRegionAvail().x, at.y + above + height};
+  draw_histogram(ui, shading, {bar.x0, at.y, bar.x1, bar.y0});
+  draw_bar(shading, bar);
   draw_ticks(ui, shading, bar);
   if (std::isfinite(marked)) {
-    const float x = std::round(bar.x0 + static_cast<float>(shading.colouring().scale.position(marked)) * bar.width());
+    const float x = std::round(bar.x0 + static_cast<float>(shading.axis().position(marked)) * bar.width());
     const float half = ui.px(4);
-    list.AddTriangleFilled({x - half, bar.y0 - ui.px(6)}, {x + half, bar.y0 - ui.px(6)}, {x, bar.y0},
-                           to_u32(ui.theme().text));
+    ImGui::GetWindowDrawList()->AddTriangleFilled({x - half, bar.y0 - ui.px(6)}, {x + half, bar.y0 - ui.px(6)},
+                                                  {x, bar.y0}, to_u32(ui.theme().text));
   }
-  ImGui::Dummy({bar.width(), height + ui.px(4) + ui.fonts().small->FontSize});
+  std::optional<std::array<double, 2>> limits = options.limits;
+  // Of rank, the colours are spent on all values alike.
+  if (shading.axis().kind != plot::ScaleKind::kRank) {
+    take_limit(ui, shading, "Low limit", 0, {bar.x0, at.y, bar.x1, bar.y1}, limits);
+    take_limit(ui, shading, "High limit", 1, {bar.x0, at.y, bar.x1, bar.y1}, limits);
+  }
+  ImGui::SetCursorScreenPos(at);
+  ImGui::Dummy({bar.width(), above + height + ui.px(4) + ui.fonts().small->FontSize});
+  return limits;
 }
 
 }  // namespace trocar::ui

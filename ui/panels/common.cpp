@@ -91,7 +91,8 @@ void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requ
 
 bool shows_field(const workbench::FieldSettings& settings) {
   const bool slice = std::any_of(settings.slices.begin(), settings.slices.end(), [](int index) { return index >= 0; });
-  return settings.visible && (slice || settings.voxels);
+  return settings.visible &&
+         (slice || settings.voxels || settings.iso_surface || settings.volume || settings.streamlines);
 }
 
 void segment_chip(Ui& ui, demonstration::Segment segment, bool present, float size) {

@@ -24,7 +24,7 @@ void command_button(Ui& ui, const WorkbenchState& state, std::string_view id, st
 void command_icon(Ui& ui, const WorkbenchState& state, std::string_view id, Requests& requests,
                   ButtonStyle style = ButtonStyle::kQuiet);
 
-/// Something of the field is drawn in the 3-D view: it is on, and a slice or the voxels are chosen.
+/// Something of the field is drawn in the 3-D view: it is on, and a slice or another drawing is chosen.
 bool shows_field(const workbench::FieldSettings& settings);
 
 /// A letter on its colour; an outline where the demonstration lacks the segment.

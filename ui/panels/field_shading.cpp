@@ -1,27 +1,26 @@
 #include "ui/panels/field_shading.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "engine/learning/slab.h"
 
 namespace trocar::ui {
 namespace {
 
 // All shadings belong to the window's thread.
 std::uint64_t last_revision = 0;
+constexpr std::size_t kBins = 64;
 
 }  // namespace
 
 void FieldShading::update(std::shared_ptr<const learning::Field> field, const workbench::FieldSettings& settings) {
-  workbench::FieldSettings colours = settings;
-  colours.slices = settings_.slices;  // and what else does not change the colours
-  colours.voxels = settings_.voxels;
-  colours.opacity = settings_.opacity;
-  colours.visible = settings_.visible;
-  if (field_ == field && settings_ == colours) return;
+  if (field_ == field && workbench::same_colours(settings_, settings)) return;
   field_ = std::move(field);
-  settings_ = colours;
+  settings_ = settings;
   colouring_ = workbench::colouring_of(*field_, settings_);
-  revision_ = ++last_revision;
-  indices_.fill(-1);
+  begin_anew();
 }
 
 void FieldShading::update(std::shared_ptr<const learning::Field> field, const workbench::FieldSettings& settings,
@@ -33,18 +32,58 @@ void FieldShading::update(std::shared_ptr<const learning::Field> field, const wo
   field_ = std::move(field);
   settings_ = settings;
   colouring_ = colouring;
-  revision_ = ++last_revision;
-  indices_.fill(-1);
+  begin_anew();
 }
 
-const Image& FieldShading::slice(int axis, int index) {
+void FieldShading::begin_anew() {
+  revision_ = ++last_revision;
+  indices_.fill(-1);
+  montage_thickness_ = 0;
+  workbench::FieldSettings whole = settings_;
+  whole.limits.reset();
+  if (whole.scale == plot::ScaleKind::kPercentile) whole.scale = plot::ScaleKind::kLinear;
+  axis_ = workbench::colouring_of(*field_, whole).scale;
+  count_values();
+}
+
+void FieldShading::count_values() {
+  histogram_.assign(kBins, 0.0F);
+  for (const double value : field_->values) {
+    if (!std::isfinite(value)) continue;
+    const auto bin = static_cast<std::size_t>(axis_.position(value) * static_cast<double>(kBins));
+    histogram_[std::min(bin, kBins - 1)] += 1.0F;
+  }
+  const float most = *std::max_element(histogram_.begin(), histogram_.end());
+  if (most > 0.0F) {
+    for (float& bin : histogram_) bin /= most;
+  }
+}
+
+const Image& FieldShading::slice(int axis, int index, int thickness) {
   const auto i = static_cast<std::size_t>(axis);
-  if (indices_[i] != index) {
-    slices_[i] = figure::slice_pixels(*field_, figure::Slice{axis, index}, colouring_);
+  if (indices_[i] != index || thicknesses_[i] != thickness) {
+    slices_[i] = figure::slice_pixels(learning::with_slab(*field_, axis, index, thickness), figure::Slice{axis, index},
+                                      colouring_);
     indices_[i] = index;
+    thicknesses_[i] = thickness;
     versions_[i] = next_version_++;
   }
   return slices_[i];
+}
+
+const Image& FieldShading::montage(int thickness) {
+  if (montage_thickness_ == thickness) return montage_;
+  const int n = field_->grid.n;
+  montage_ = Image(n, n * n);
+  for (int z = 0; z < n; ++z) {
+    const Image one =
+        figure::slice_pixels(learning::with_slab(*field_, 2, z, thickness), figure::Slice{2, z}, colouring_);
+    const auto offset = static_cast<std::ptrdiff_t>(one.rgba.size()) * z;
+    std::copy(one.rgba.begin(), one.rgba.end(), montage_.rgba.begin() + offset);
+  }
+  montage_thickness_ = thickness;
+  montage_version_ = next_version_++;
+  return montage_;
 }
 
 SliceAxes slice_axes(int axis) {

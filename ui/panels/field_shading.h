@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "engine/core/image.h"
 #include "engine/figure/field_figure.h"
@@ -23,19 +24,38 @@ class FieldShading {
 
   const learning::Field& field() const { return *field_; }
   const plot::Colouring& colouring() const { return colouring_; }
-  /// One pixel a cell, as `figure::slice_pixels`; kept until the slice or the shading changes.
-  const Image& slice(int axis, int index);
+  /// One pixel a cell, as `figure::slice_pixels`, of a slab so many cells thick; kept until the slice or the shading
+  /// changes.
+  const Image& slice(int axis, int index, int thickness = 1);
+  /// All slices along z, one below the other, the lowest first; kept likewise.
+  const Image& montage(int thickness = 1);
+  std::uint64_t montage_version() const { return montage_version_; }
+  /// The scale of the colours over all values, whatever limits were set and values clipped: what a colour bar runs
+  /// along. Not for classes.
+  const plot::Scale& axis() const { return axis_; }
+  /// How many known cells there are by place on `axis`, as shares of the fullest place.
+  const std::vector<float>& histogram() const { return histogram_; }
   /// Changes with every field and colouring, unique among all shadings.
   std::uint64_t revision() const { return revision_; }
   /// Changes with what `slice` of that axis returns.
   std::uint64_t version(int axis) const { return versions_[static_cast<std::size_t>(axis)]; }
 
  private:
+  /// After field, settings and colouring are new.
+  void begin_anew();
+  void count_values();
+
   std::shared_ptr<const learning::Field> field_;
   workbench::FieldSettings settings_;
   plot::Colouring colouring_;
   std::array<Image, 3> slices_;
   std::array<int, 3> indices_{-1, -1, -1};
+  std::array<int, 3> thicknesses_{1, 1, 1};
+  Image montage_;
+  int montage_thickness_ = 0;  ///< 0: there is none.
+  std::uint64_t montage_version_ = 0;
+  plot::Scale axis_;
+  std::vector<float> histogram_;
   std::array<std::uint64_t, 3> versions_{};
   std::uint64_t next_version_ = 1;
   std::uint64_t revision_ = 0;
