@@ -11,7 +11,7 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 73> kEquivalents{{
+constexpr std::array<Equivalent, 74> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
     {"file.import", "trocar demo import P FILE"},

@@ -10,7 +10,7 @@
 namespace trocar::learning {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 struct Mean {
   double sum = 0.0;
@@ -46,7 +46,7 @@ ModelMeasures measures_of(const Model& model, const Basin& basin, const std::vec
 Field classes(const spatial::Grid& grid, std::string title, std::vector<std::string> names) {
   Field field;
   field.grid = grid;
-  field.values.assign(static_cast<std::size_t>(grid.cell_count()), kUnknown);
+  field.values.assign(static_cast<std::size_t>(grid.cell_count()), kNotKnown);
   field.title = std::move(title);
   field.categorical = true;
   field.categories = std::move(names);
@@ -62,7 +62,7 @@ Field difference(const Field& a, const Field& b) {
     result = classes(a.grid, a.title + ", same or not", {"same", "differs"});
   } else {
     result.grid = a.grid;
-    result.values.assign(a.values.size(), kUnknown);
+    result.values.assign(a.values.size(), kNotKnown);
     result.title = a.title + ", B \u2212 A";
     result.unit = a.unit;
   }

@@ -15,7 +15,7 @@
 namespace trocar::learning {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr int kNear = 3;
 
 Status check(const SeedStudyOptions& study) {
@@ -83,7 +83,7 @@ std::array<double, 2> commonest(const std::vector<double>& values, std::size_t c
     ++counts[static_cast<std::size_t>(value)];
     ++known;
   }
-  if (known == 0) return {kUnknown, kUnknown};
+  if (known == 0) return {kNoNumber, kNoNumber};
   const auto most = std::max_element(counts.begin(), counts.end());
   return {static_cast<double>(most - counts.begin()), 1.0 - static_cast<double>(*most) / known};
 }
@@ -110,7 +110,7 @@ void summarise_layer(const std::vector<Field>& fields, SeedStudy& study) {
 }
 
 double relative(int before, int after) {
-  return before == 0 ? kUnknown : static_cast<double>(after - before) / before;
+  return before == 0 ? kNoNumber : static_cast<double>(after - before) / before;
 }
 
 double share(const RolloutSummary& summary) {

@@ -141,6 +141,14 @@ void ModelsPanel::draw_swipe(Ui& ui, const WorkbenchState& state, float side) {
   if (!blink || b_in_front_) letter("B", rect.x1 - ui.px(14));
 }
 
+void ModelsPanel::draw_shared_legend(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const auto limits = colour_legend(ui, shadings_[0], NAN, {.stale = false, .limits = state.field.limits});
+  if (limits == state.field.limits) return;
+  workbench::FieldSettings settings = state.field;
+  settings.limits = limits;
+  requests.emplace_back(Command{workbench::SetField{settings}});
+}
+
 void ModelsPanel::draw_pictures(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const workbench::ModelInsight& insight = *state.insight;
   const workbench::SecondModel& second = *insight.second;
@@ -166,17 +174,17 @@ void ModelsPanel::draw_pictures(Ui& ui, const WorkbenchState& state, Requests& r
     draw_slice(ui, state, "A", shadings_[0], picture, side, requests);
     ImGui::SameLine(0.0F, gap);
     draw_slice(ui, state, "B", shadings_[1], picture, side, requests);
-    colour_legend(ui, shadings_[0], NAN);
+    draw_shared_legend(ui, state, requests);
     return;
   }
   const float side = std::min(room, most);
   if (mode_ == Mode::kSwipe || mode_ == Mode::kBlink) {
     draw_swipe(ui, state, side);
-    colour_legend(ui, shadings_[0], NAN);
+    draw_shared_legend(ui, state, requests);
     return;
   }
   draw_slice(ui, state, "B against A", shadings_[2], picture, side, requests);
-  colour_legend(ui, shadings_[2], NAN);
+  colour_legend(ui, shadings_[2], NAN, {});
 }
 
 Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {

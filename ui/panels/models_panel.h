@@ -22,6 +22,7 @@ class ModelsPanel final : public Panel {
                   Image& picture, float side, Requests& requests);
   /// A and B in one square, the border between them dragged with the mouse.
   void draw_swipe(Ui& ui, const WorkbenchState& state, float side);
+  void draw_shared_legend(Ui& ui, const WorkbenchState& state, Requests& requests);
   void take_wheel(const WorkbenchState& state, Requests& requests);
   int index(const WorkbenchState& state) const;
 
