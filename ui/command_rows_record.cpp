@@ -39,7 +39,9 @@ std::string no_verdict(const State& state) {
 }
 
 Requests arm(const State& state) {
-  return {Command{another_take(state.last_take)}, ShowPanel{PanelId::kView}};
+  RecordByHand take = another_take(state.last_take);
+  take.from.reset();  // That was for one start.
+  return {Command{take}, ShowPanel{PanelId::kView}};
 }
 
 Requests do_by_hand(trial::HandEvent event) {

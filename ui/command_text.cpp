@@ -137,6 +137,25 @@ std::string train_text(const TrainModel& command, const std::string& project) {
   return text;
 }
 
+/// From the starts that are chosen, of the selected model.
+std::string rollouts_text(std::string_view verb, const WorkbenchState& state, const std::string& project) {
+  return fmt::format("trocar rollout {} {} {} --starts {}", verb, project, state.model.value,
+                     shell_word(state.rollouts.starts));
+}
+
+std::string erring_text(const learning::MonteCarloOptions& options) {
+  return fmt::format(" --epsilon {:g} --runs {} --seed {}", options.epsilon, options.runs, options.seed);
+}
+
+std::string rollout_rows_text(const ExportRollouts& command, const WorkbenchState& state, const std::string& project) {
+  std::string text = rollouts_text("run", state, project);
+  const auto& erred = state.monte_carlo;
+  if (erred && state.insight && erred->entry == state.insight->entry && erred->starts == state.rollouts.starts) {
+    text += erring_text(erred->result.options);
+  }
+  return text + " --out " + shell_word(command.path.string());
+}
+
 std::string field_text(const ExportField& command, const std::string& project) {
   const std::string what = command.slice.empty() ? "--montage" : "--slice " + command.slice;
   return fmt::format("trocar field export {} {} --layer {} {} --out {}", project, command.model.value,
@@ -293,6 +312,14 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
   }
   if (const auto* figure = std::get_if<ExportField>(&command)) return field_text(*figure, project);
   if (const auto* field = std::get_if<SetField>(&command)) return view_text(field->settings, state, project);
+  if (const auto* rows = std::get_if<ExportRollouts>(&command)) return rollout_rows_text(*rows, state, project);
+  if (const auto* erring = std::get_if<RunMonteCarlo>(&command)) {
+    return rollouts_text("run", state, project) + erring_text(erring->options);
+  }
+  if (const auto* physics = std::get_if<RunPhysics>(&command)) {
+    return rollouts_text("physics", state, project) + fmt::format(" --seed {}", physics->options.seed) +
+           (physics->options.continuous ? " --continuous" : "") + " --out rollouts.csv";
+  }
   return "";
 }
 

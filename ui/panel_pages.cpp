@@ -45,10 +45,14 @@ constexpr PanelPage kFields{
       {"Copy cells as CSV", "Ctrl+C"}}}};
 constexpr PanelPage kRollouts{
     "What the agent does from every start",
-    "How many starts arrive, loop or end nowhere, for all cells and for those near the expert's start. A start that is "
-    "chosen is drawn in the view.",
+    "How many starts arrive, loop or end nowhere: all cells, those near the expert's start, or cells that are painted. "
+    "One rollout is picked out by the map, the table or the small pictures; if it fails, it is said why, and a "
+    "demonstration that puts it right can be begun there. The agent can err at random, and be driven through the "
+    "simulator.",
     {"view.ghosts", "model.train"},
-    {}};
+    {{{"Select a start", "Click it in the map, the table or the pictures"},
+      {"Paint starts", "Drag over the map; Erase takes them away"},
+      {"Step through the map", "Wheel over it"}}}};
 constexpr PanelPage kTrain{
     "Learns a model from demonstrations",
     "Choose demonstrations, segment and method; the training is a job, and the window can be used meanwhile.",

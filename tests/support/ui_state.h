@@ -8,6 +8,7 @@
 #include "engine/demonstration/edits.h"
 #include "engine/learning/model.h"
 #include "engine/learning/rollout.h"
+#include "engine/peg_board/obstacles.h"
 #include "engine/workbench/workbench.h"
 #include "tests/support/lattice_demonstrations.h"
 
@@ -75,6 +76,9 @@ inline workbench::ModelInsight made_insight(std::shared_ptr<const workbench::Mod
   insight.all = insight.around[4];
   insight.starts = learning::starts_around(model, 3);
   insight.chosen = insight.around[2];
+  insight.listed = std::make_shared<const std::vector<learning::Rollout>>(insight.ghosts);
+  insight.band = learning::deviation_band(model, *insight.listed);
+  insight.clearance_m = std::make_shared<const std::vector<double>>(peg_board::clearances_m(model.grid));
   insight.epochs = insight.epoch = static_cast<int>(model.curve.size());
   return insight;
 }

@@ -2,6 +2,10 @@
 #pragma once
 
 #include "ui/panel.h"
+#include "ui/panels/rollout_list.h"
+#include "ui/panels/rollout_map.h"
+#include "ui/panels/rollout_runs.h"
+#include "ui/panels/rollout_starts.h"
 
 namespace trocar::ui {
 
@@ -10,9 +14,15 @@ class RolloutsPanel final : public Panel {
   Requests draw(Ui& ui, const WorkbenchState& state) override;
 
  private:
-  void draw_controls(Ui& ui, const WorkbenchState& state, Requests& requests);
-  int sort_column_ = 0;
-  bool descending_ = false;
+  void draw_ghosts(Ui& ui, const WorkbenchState& state, Requests& requests);
+  void draw_outcomes(Ui& ui, const WorkbenchState& state, Requests& requests);
+
+  RolloutStarts starts_;
+  RolloutMap map_;
+  RolloutTable table_;
+  RolloutMultiples multiples_;
+  RolloutRuns runs_;
+  int page_ = 0;
 };
 
 }  // namespace trocar::ui

@@ -1,0 +1,239 @@
+#include "ui/panels/rollout_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/format.h"
+#include "ui/icons.h"
+#include "ui/panels/rollout_parts.h"
+
+namespace trocar::ui {
+namespace {
+
+using learning::Rollout;
+using learning::RolloutMeasure;
+
+std::string listed_words(const workbench::ModelInsight& insight) {
+  const std::size_t listed = insight.listed->size();
+  const std::string all = count(static_cast<std::int64_t>(insight.starts.size()));
+  if (listed == insight.starts.size()) return all + " rollouts";
+  return fmt::format("{} of {} rollouts, evenly", count(static_cast<std::int64_t>(listed)), all);
+}
+
+std::span<const double> clearance_of(const workbench::ModelInsight& insight) {
+  return insight.clearance_m ? std::span<const double>(*insight.clearance_m) : std::span<const double>();
+}
+
+/// What stands in the columns after start and end.
+std::array<std::string, learning::kRolloutMeasures - 2> cells_of(const Rollout& rollout,
+                                                                 const workbench::ModelInsight& insight) {
+  const double clearance_m = learning::least_clearance_m(rollout, clearance_of(insight));
+  return {count(static_cast<std::int64_t>(rollout.cells.size()) - 1),
+          millimetres(rollout.length_m),
+          number(rollout.straightness),
+          millimetres(rollout.max_deviation_m),
+          millimetres(rollout.mean_deviation_m),
+          millimetres(rollout.frechet_m),
+          learning::last_moves(insight.entry->model->grid, rollout.cells),
+          rollout.from_above ? "yes" : "no",
+          number(rollout.reward_sum),
+          rollout.divergence_step < 0 ? "never" : fmt::format("step {}", rollout.divergence_step),
+          std::isnan(clearance_m) ? "unknown" : millimetres(clearance_m)};
+}
+
+void table_row(Ui& ui, const WorkbenchState& state, const Rollout& rollout, Requests& requests) {
+  const workbench::ModelInsight& insight = *state.insight;
+  const std::string label = start_words(insight.entry->model->grid, rollout.start);
+  const auto [words, colour] = end_words(ui.theme(), rollout.end);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushID(rollout.start.value);
+  const bool selected = state.rollouts.selected == rollout.start;
+  if (selectable_row(ui, label, selected, learning::to_string(rollout.end), {.height = ui.px(20)})) {
+    select_start(state, rollout.start, requests);
+  }
+  ImGui::SameLine(0.0F, 0.0F);
+  ImGui::TextUnformatted(label.c_str());
+  ImGui::PopID();
+  ImGui::TableNextColumn();
+  {
+    const ColourScope tint(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(words.c_str());
+  }
+  for (const std::string& text_of_cell : cells_of(rollout, insight)) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(text_of_cell.c_str());
+  }
+}
+
+/// From the side: y to the right, z up.
+ImVec2 seen_from_side(const Rect& rect, const spatial::Grid& grid, spatial::CellIndex cell) {
+  const spatial::CellCoordinates c = grid.coordinates(cell);
+  const float step = std::min(rect.width(), rect.height()) / static_cast<float>(grid.n);
+  return {rect.x0 + (static_cast<float>(c.y) + 0.5F) * step, rect.y1 - (static_cast<float>(c.z) + 0.5F) * step};
+}
+
+void draw_way(Ui& ui, const Rect& rect, const spatial::Grid& grid, const learning::CellSequence& cells, Rgba colour,
+              float width) {
+  std::vector<ImVec2> points;
+  for (const spatial::CellIndex cell : cells) points.push_back(seen_from_side(rect, grid, cell));
+  if (points.size() < 2) return;
+  ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), to_u32(colour), 0,
+                                          ui.px(width));
+}
+
+bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, float side, std::string_view measure) {
+  const learning::Model& model = *state.insight->entry->model;
+  const Scope scope(ui, start_words(model.grid, rollout.start));
+  ImGui::BeginGroup();
+  const auto [words, colour] = end_words(ui.theme(), rollout.end);
+  canvas(ui, "Rollout", {side, side}, fmt::format("{}, {}", learning::to_string(rollout.end), measure),
+         {.help = "From the side: y to the right, z up; the expert's way is grey"});
+  const bool clicked = ImGui::IsItemClicked();
+  const Rect rect = item_rect();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(ui.theme().header), ui.px(3));
+  const bool selected = state.rollouts.selected == rollout.start;
+  const Rgba edge = selected ? ui.theme().accent : ui.theme().line;
+  list.AddRect({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(edge), ui.px(3), 0, ui.px(selected ? 2.0F : 1.0F));
+  const float inset = ui.px(4);
+  const Rect inside{rect.x0 + inset, rect.y0 + inset, rect.x1 - inset, rect.y1 - inset};
+  draw_way(ui, inside, model.grid, model.experts.front(), ui.theme().text_disabled, 1.0F);
+  draw_way(ui, inside, model.grid, rollout.cells, colour, 2.0F);
+  list.AddCircleFilled(seen_from_side(inside, model.grid, model.goal), ui.px(3), IM_COL32(255, 200, 60, 255), 12);
+  list.AddCircleFilled(seen_from_side(inside, model.grid, rollout.start), ui.px(3), to_u32(colour), 12);
+  {
+    const FontScope font(ui.fonts().small);
+    const std::string sign = words.substr(0, words.find(' '));
+    ImGui::TextUnformatted(fitted(fmt::format("{} {}", sign, measure), side).c_str());
+  }
+  ImGui::EndGroup();
+  return clicked;
+}
+
+}  // namespace
+
+const std::vector<std::size_t>& RolloutOrder::of(const workbench::ModelInsight& insight, RolloutMeasure by,
+                                                 bool descending) {
+  if (of_ == insight.listed && by_ == by && descending_ == descending) return order_;
+  of_ = insight.listed;
+  by_ = by;
+  descending_ = descending;
+  order_ = learning::sorted_by(*of_, by, descending, insight.entry->model->grid, clearance_of(insight));
+  return order_;
+}
+
+void RolloutTable::draw(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const Scope scope(ui, "Table");
+  const workbench::ModelInsight& insight = *state.insight;
+  small_text(ui, listed_words(insight) + "; a click on a row brings it out", ui.theme().text_dim);
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_ScrollY | ImGuiTableFlags_ScrollX |
+                                     ImGuiTableFlags_Sortable | ImGuiTableFlags_Resizable |
+                                     ImGuiTableFlags_SizingFixedFit;
+  const float height = std::max(ImGui::GetContentRegionAvail().y, ui.px(220));
+  if (!ImGui::BeginTable("rollouts", learning::kRolloutMeasures, kFlags, {0.0F, height})) return;
+  ImGui::TableSetupScrollFreeze(1, 1);
+  for (const std::string& name : measure_names()) {
+    const bool start = name == measure_names().front();
+    ImGui::TableSetupColumn(name.c_str(), ImGuiTableColumnFlags_WidthFixed,
+                            start ? ImGui::CalcTextSize("00, 00, 00 ").x : 0.0F);
+  }
+  ImGui::TableHeadersRow();
+  if (const ImGuiTableSortSpecs* sort = ImGui::TableGetSortSpecs(); sort != nullptr && sort->SpecsCount > 0) {
+    by_ = static_cast<RolloutMeasure>(sort->Specs[0].ColumnIndex);
+    descending_ = sort->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+  }
+  const std::vector<std::size_t>& order = order_.of(insight, by_, descending_);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(order.size()));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      ImGui::PushID(i);
+      table_row(ui, state, (*insight.listed)[order[static_cast<std::size_t>(i)]], requests);
+      ImGui::PopID();
+    }
+  }
+  ImGui::EndTable();
+}
+
+void RolloutMultiples::draw(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const Scope scope(ui, "Small multiples");
+  constexpr std::size_t kMost = 24;
+  const workbench::ModelInsight& insight = *state.insight;
+  form_label(ui, "Sorted by");
+  combo(ui, "Sorted by", by_, measure_names(), {.help = "The first 24 in this order are shown"});
+  form_label(ui, "Order");
+  checkbox(ui, "Largest first", descending_, {.help = "Else the smallest"});
+  form_label(ui, "Columns");
+  slider_int(ui, "Columns", columns_, 2, 8, "%d side by side", {.help = "How many pictures stand side by side"});
+  const std::vector<std::size_t>& order = order_.of(insight, static_cast<RolloutMeasure>(by_), descending_);
+  const std::size_t shown = std::min(kMost, order.size());
+  small_text(ui, fmt::format("{} of {}", shown, listed_words(insight)), ui.theme().text_dim);
+  const float gap = ui.px(6);
+  const auto across = static_cast<float>(columns_);
+  const float side = std::max((ImGui::GetContentRegionAvail().x - gap * (across - 1.0F)) / across, ui.px(40));
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i % static_cast<std::size_t>(columns_) != 0) ImGui::SameLine(0.0F, gap);
+    const Rollout& rollout = (*insight.listed)[order[i]];
+    const std::string value = by_ == 0   ? start_words(insight.entry->model->grid, rollout.start)
+                              : by_ == 1 ? std::string(learning::to_string(rollout.end))
+                                         : cells_of(rollout, insight)[static_cast<std::size_t>(by_ - 2)];
+    ImGui::PushID(static_cast<int>(i));
+    if (mini_view(ui, state, rollout, side, value)) select_start(state, rollout.start, requests);
+    ImGui::PopID();
+  }
+}
+
+void draw_deviation_band(Ui& ui, const workbench::ModelInsight& insight) {
+  const Scope scope(ui, "Deviation");
+  heading(ui, "Deviation from the expert");
+  const learning::DeviationBand& band = insight.band;
+  if (band.median.size() < 2) {
+    wrapped_text(ui, fmt::format("Needs {} rollouts of some steps", learning::kLeastInBand), ui.theme().text_dim);
+    return;
+  }
+  const std::size_t last = band.median.size() - 1;
+  const double most_m = std::max(*std::max_element(band.high.begin(), band.high.end()), 1e-4);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ui.px(110);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float foot = ui.fonts().small->FontSize + ui.px(2);
+  const float left = ui.px(44);
+  const Rect area{at.x + left, at.y + ui.px(4), at.x + width - ui.px(4), at.y + height - foot};
+  const float mouse = std::clamp((ImGui::GetIO().MousePos.x - area.x0) / area.width(), 0.0F, 1.0F);
+  const bool inside =
+      Rect{at.x, at.y, at.x + width, at.y + height}.contains(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+  const std::size_t step = inside ? static_cast<std::size_t>(std::lround(mouse * static_cast<float>(last))) : 0;
+  const std::string value =
+      fmt::format("step {}: median {}, 90 % in {} to {}, {} go on", step, millimetres(band.median[step]),
+                  millimetres(band.low[step]), millimetres(band.high[step]), count(band.count[step]));
+  canvas(ui, "Band", {width, height}, value, {.help = "The middle rollout, and where 90 % of them are, step by step"});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto point = [&](std::size_t i, double value_m) {
+    return ImVec2{area.x0 + static_cast<float>(i) / static_cast<float>(last) * area.width(),
+                  area.y1 - static_cast<float>(value_m / most_m) * area.height()};
+  };
+  list.AddRectFilled({area.x0, area.y0}, {area.x1, area.y1}, to_u32(ui.theme().header));
+  std::vector<ImVec2> middle;
+  for (std::size_t i = 0; i <= last; ++i) {
+    middle.push_back(point(i, band.median[i]));
+    if (i == last) break;
+    list.AddQuadFilled(point(i, band.high[i]), point(i + 1, band.high[i + 1]), point(i + 1, band.low[i + 1]),
+                       point(i, band.low[i]), to_u32(ui.theme().accent, 0.30F));
+  }
+  list.AddPolyline(middle.data(), static_cast<int>(middle.size()), to_u32(ui.theme().accent), 0, ui.px(2));
+  if (inside) list.AddLine({point(step, 0.0).x, area.y0}, {point(step, 0.0).x, area.y1}, to_u32(ui.theme().text_dim));
+  const FontScope font(ui.fonts().small);
+  const ImU32 dim = to_u32(ui.theme().text_dim);
+  list.AddText({at.x, area.y0}, dim, fmt::format("{:.1f}", 1e3 * most_m).c_str());
+  list.AddText({at.x, area.y1 - ui.fonts().small->FontSize}, dim, "0 mm");
+  list.AddText({area.x0, area.y1 + ui.px(1)}, dim, "step 0");
+  const std::string end = fmt::format("step {}", last);
+  list.AddText({area.x1 - ImGui::CalcTextSize(end.c_str()).x, area.y1 + ui.px(1)}, dim, end.c_str());
+  small_text(ui, value, ui.theme().text_dim);
+}
+
+}  // namespace trocar::ui

@@ -1,0 +1,51 @@
+/// The rollouts one by one: a table of all measures, small pictures in order of one of them, and how far they stray.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/learning/rollout_table.h"
+#include "ui/panel.h"
+
+namespace trocar::ui {
+
+/// The order in which rollouts are listed; worked out again only when they or the measure change.
+class RolloutOrder {
+ public:
+  const std::vector<std::size_t>& of(const workbench::ModelInsight& insight, learning::RolloutMeasure by,
+                                     bool descending);
+
+ private:
+  std::shared_ptr<const std::vector<learning::Rollout>> of_;
+  learning::RolloutMeasure by_ = learning::RolloutMeasure::kStart;
+  bool descending_ = false;
+  std::vector<std::size_t> order_;
+};
+
+/// All measures, sorted by any; a click on a row makes its rollout stand out.
+class RolloutTable {
+ public:
+  void draw(Ui& ui, const WorkbenchState& state, Requests& requests);
+
+ private:
+  RolloutOrder order_;
+  learning::RolloutMeasure by_ = learning::RolloutMeasure::kStart;
+  bool descending_ = false;
+};
+
+/// Side views of up to 24 rollouts, the first in the order of a measure.
+class RolloutMultiples {
+ public:
+  void draw(Ui& ui, const WorkbenchState& state, Requests& requests);
+
+ private:
+  RolloutOrder order_;
+  int by_ = static_cast<int>(learning::RolloutMeasure::kMaxDeviation);
+  bool descending_ = true;
+  int columns_ = 4;
+};
+
+/// Distance from the expert step by step: the middle rollout and where 90 % lie.
+void draw_deviation_band(Ui& ui, const workbench::ModelInsight& insight);
+
+}  // namespace trocar::ui

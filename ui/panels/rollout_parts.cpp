@@ -1,0 +1,112 @@
+#include "ui/panels/rollout_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/learning/rollout_table.h"
+#include "ui/format.h"
+#include "ui/icons.h"
+
+namespace trocar::ui {
+
+using learning::RolloutEnd;
+using workbench::JobState;
+
+std::pair<std::string, Rgba> end_words(const Theme& theme, RolloutEnd end) {
+  switch (end) {
+    case RolloutEnd::kArrives:
+      return {std::string(icon::kVerify) + "  arrives", theme.good};
+    case RolloutEnd::kLoops:
+      return {std::string(icon::kRefresh) + "  loops", theme.warning};
+    case RolloutEnd::kDeadEnd:
+      return {std::string(icon::kCross) + "  dead end", theme.danger};
+    case RolloutEnd::kOutsideSafeSet:
+      return {std::string(icon::kCross) + "  outside", theme.danger};
+  }
+  return {"", theme.text};
+}
+
+std::string start_words(const spatial::Grid& grid, spatial::CellIndex cell) {
+  const spatial::CellCoordinates c = grid.coordinates(cell);
+  return fmt::format("{}, {}, {}", c.x, c.y, c.z);
+}
+
+void outcome_row(Ui& ui, const char* sign, std::string_view name, std::int64_t part, std::int64_t whole, Rgba colour) {
+  const float left = ImGui::GetCursorPosX();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::string words = percent(part, whole) + "  (" + count(part) + ")";
+  {
+    const ColourScope tint(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(sign);
+  }
+  ImGui::SameLine(left + ui.px(24));
+  ImGui::TextUnformatted(name.data(), name.data() + name.size());
+  const float numbers = ImGui::CalcTextSize(words.c_str()).x;
+  const float bar = left + ui.px(116);
+  const float bar_width = width - ui.px(116) - std::max(numbers, ui.px(104)) - ui.px(10);
+  if (bar_width > ui.px(30)) {
+    ImGui::SameLine(bar);
+    const float lower = 0.5F * (ImGui::GetTextLineHeight() - ui.px(8));
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
+    share_bar(ui, whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0, colour,
+              {bar_width, ui.px(8)});
+    ImGui::SameLine(left + width - numbers);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - lower);
+  } else {
+    const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ui.px(8);
+    if (used + numbers <= left + width) ImGui::SameLine(left + width - numbers);
+  }
+  ImGui::TextUnformatted(words.c_str());
+  note_item(ui, "text", name, words, {});
+}
+
+void summary_block(Ui& ui, std::string_view name, const learning::RolloutSummary& summary) {
+  const Scope scope(ui, name);
+  heading(ui, name);
+  ImGui::SameLine();
+  dim_text(ui, count(summary.count) + " starts");
+  outcome_row(ui, icon::kVerify, "Arrives", summary.arrived, summary.count, ui.theme().good);
+  outcome_row(ui, icon::kRefresh, "Loops", summary.looped, summary.count, ui.theme().warning);
+  outcome_row(ui, icon::kCross, "Dead end", summary.dead_end, summary.count, ui.theme().danger);
+  outcome_row(ui, icon::kDownload, "From above", summary.from_above, summary.arrived, ui.theme().accent);
+}
+
+void choose_starts(const WorkbenchState& state, std::string starts, Requests& requests) {
+  workbench::RolloutSettings settings = state.rollouts;
+  settings.starts = std::move(starts);
+  if (settings != state.rollouts) requests.emplace_back(workbench::Command{workbench::SetRollouts{settings}});
+}
+
+void select_start(const WorkbenchState& state, std::optional<spatial::CellIndex> start, Requests& requests) {
+  workbench::RolloutSettings settings = state.rollouts;
+  settings.selected = start;
+  if (settings != state.rollouts) requests.emplace_back(workbench::Command{workbench::SetRollouts{settings}});
+}
+
+const workbench::JobView* job_under_way(const WorkbenchState& state, std::string_view title) {
+  const auto found = std::find_if(state.jobs.begin(), state.jobs.end(), [title](const workbench::JobView& job) {
+    return job.title.starts_with(title) && (job.state == JobState::kQueued || job.state == JobState::kRunning);
+  });
+  return found == state.jobs.end() ? nullptr : &*found;
+}
+
+void draw_job_under_way(Ui& ui, const workbench::JobView& job, std::string_view help, Requests& requests) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  progress_bar(ui, "Progress", job.fraction, width);
+  if (button(ui, "Stop", {.icon = icon::kStop, .help = help})) {
+    requests.emplace_back(workbench::Command{workbench::CancelJob{job.id}});
+  }
+  ImGui::SameLine();
+  dim_text(ui, fmt::format("{} %", static_cast<int>(100.0 * job.fraction)));
+  ui.animate();
+}
+
+const std::vector<std::string>& measure_names() {
+  static const std::vector<std::string> kNames{"Start",  "End",     "Steps",    "Length",     "Straight",
+                                               "Worst",  "Mean",    "Fréchet",  "Last moves", "From above",
+                                               "Reward", "Departs", "Clearance"};
+  return kNames;
+}
+
+}  // namespace trocar::ui

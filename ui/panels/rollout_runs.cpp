@@ -1,0 +1,150 @@
+#include "ui/panels/rollout_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/command_text.h"
+#include "ui/format.h"
+#include "ui/icons.h"
+#include "ui/panels/rollout_parts.h"
+
+namespace trocar::ui {
+namespace {
+
+using workbench::Command;
+
+/// "kept at 37 %" of what was stopped.
+std::string kept_words(int finished, std::size_t all) {
+  return fmt::format("{} %", 100 * static_cast<std::size_t>(finished) / std::max<std::size_t>(all, 1));
+}
+
+std::string share_words(double share) {
+  return fmt::format("{:.1f} %", 100.0 * share);
+}
+
+std::string no_starts(const WorkbenchState& state) {
+  return state.insight->starts.empty() ? "There are no starts" : "";
+}
+
+}  // namespace
+
+void RolloutRuns::draw_erring(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const Scope scope(ui, "Err at random");
+  heading(ui, "Err at random");
+  form_label(ui, "ε");
+  slider_float(ui, "Epsilon", epsilon_, 0.0F, 0.5F, "%.2f",
+               {.help = "Share of the actions that are drawn evenly from those allowed"});
+  form_label(ui, "Runs each");
+  number_field(ui, "Runs", runs_, 1, 100'000, {.help = "Random rollouts for each start"});
+  form_label(ui, "Seed");
+  number_field(ui, "Seed", seed_, 0, 1'000'000'000, {.help = "The same seed gives the same runs"});
+  if (const workbench::JobView* job = job_under_way(state, "Err at random")) {
+    draw_job_under_way(ui, *job, "What is finished is kept", requests);
+  } else {
+    const std::string reason = no_starts(state);
+    if (button(ui, "Run", {.icon = icon::kPlay, .help = "From every start that is chosen", .reason = reason})) {
+      learning::MonteCarloOptions options;
+      options.epsilon = std::round(1e6 * static_cast<double>(epsilon_)) / 1e6;
+      options.runs = static_cast<int>(runs_);
+      options.seed = static_cast<std::uint64_t>(seed_);
+      requests.emplace_back(Command{workbench::RunMonteCarlo{options}});
+    }
+  }
+  if (!state.monte_carlo) return;
+  const workbench::MonteCarloView& found = *state.monte_carlo;
+  const double share = found.runs == 0 ? 0.0 : static_cast<double>(found.arrived) / static_cast<double>(found.runs);
+  const std::string words = fmt::format("{}, 95 % interval {} to {}", share_words(share),
+                                        share_words(found.interval.low), share_words(found.interval.high));
+  if (!found.whole()) {
+    badge(ui, icon::kStop, kept_words(found.result.finished, found.result.starts.size()), ui.theme().warning,
+          "It was stopped; the starts that were finished are told of");
+  }
+  outcome_row(ui, icon::kVerify, "Arrives", found.arrived, found.runs, ui.theme().good);
+  wrapped_text(ui, words, ui.theme().text);
+  note_item(ui, "text", "Share", words, {});
+  small_text(ui,
+             fmt::format("ε = {:g}, {} starts ({}), {} runs each, seed {}", found.result.options.epsilon,
+                         count(found.result.finished), fitted(found.starts, ui.px(120)), count(found.result.runs()),
+                         found.result.options.seed),
+             ui.theme().text_dim);
+  if (found.entry != state.insight->entry || found.starts != state.rollouts.starts) {
+    badge(ui, icon::kWarning, "of another model or other starts", ui.theme().warning);
+  }
+}
+
+void RolloutRuns::draw_physics(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const Scope scope(ui, "In the simulator");
+  heading(ui, "In the simulator");
+  form_label(ui, "Seed");
+  number_field(ui, "Seed", world_seed_, 0, 1'000'000'000,
+               {.help = "How the blocks are turned, and where in its cell a start is"});
+  form_label(ui, "Start");
+  checkbox(ui, "Anywhere in the cell", continuous_, {.help = "Else in its middle"});
+  const auto& found = state.physics;
+  const bool goes_on = found && static_cast<std::size_t>(found->finished) < found->cells.size() &&
+                       found->starts == state.rollouts.starts && found->entry == state.insight->entry &&
+                       found->options.seed == static_cast<std::uint64_t>(world_seed_) &&
+                       found->options.continuous == continuous_;
+  if (const workbench::JobView* job = job_under_way(state, "Rollouts in the simulator")) {
+    draw_job_under_way(ui, *job, "What is finished is kept; Go on takes it up again", requests);
+  } else {
+    const std::string reason = no_starts(state);
+    if (button(ui, goes_on ? "Go on" : "Simulate",
+               {.icon = icon::kPlay,
+                .help = "Drives the policy through the simulator from every start, on all cores",
+                .reason = reason})) {
+      trial::PhysicsOptions options;
+      options.seed = static_cast<std::uint64_t>(world_seed_);
+      options.continuous = continuous_;
+      requests.emplace_back(Command{workbench::RunPhysics{options}});
+    }
+  }
+  if (!found) return;
+  if (static_cast<std::size_t>(found->finished) < found->cells.size()) {
+    badge(ui, icon::kStop, kept_words(found->finished, found->cells.size()), ui.theme().warning,
+          "It was stopped; Go on takes it up again");
+  }
+  outcome_row(ui, icon::kVerify, "Arrives", found->arrived, found->finished, ui.theme().good);
+  std::array<int, 6> ends{};
+  for (const auto& rollout : found->rollouts) {
+    if (rollout) ++ends[static_cast<std::size_t>(rollout->end)];
+  }
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (ends[i] == 0) continue;
+    const std::string name(trial::to_string(static_cast<trial::PhysicsEnd>(i)));
+    outcome_row(ui, icon::kCross, name, ends[i], found->finished, ui.theme().danger);
+  }
+  fact(ui, "Blocks pushed by", "at most " + millimetres(found->pushed_m));
+}
+
+void RolloutRuns::draw_export(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const Scope scope(ui, "Export");
+  heading(ui, "Export");
+  form_label(ui, "File");
+  text_field(ui, "File", file_, "rollouts.csv", {.help = ".csv: the rows that trocar rollout run --out writes"});
+  const std::string reason = file_.ends_with(".csv") ? no_starts(state) : "The name must end in .csv";
+  if (button(ui, "Export CSV",
+             {.icon = icon::kTable,
+              .help = "One row for each chosen start, all measures; the same bytes as the command line writes",
+              .reason = reason})) {
+    requests.emplace_back(Command{workbench::ExportRollouts{file_}});
+  }
+  const std::string command = command_text(Command{workbench::ExportRollouts{file_}}, state);
+  flow(button_width(ui, "Copy as command", icon::kCopy), ui.px(6));
+  if (button(ui, "Copy as command", {.icon = icon::kCopy, .help = command, .style = ButtonStyle::kQuiet})) {
+    requests.emplace_back(CopyText{command});
+  }
+}
+
+void RolloutRuns::draw(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  draw_erring(ui, state, requests);
+  ImGui::Dummy({0.0F, ui.px(6)});
+  draw_physics(ui, state, requests);
+  ImGui::Dummy({0.0F, ui.px(6)});
+  draw_export(ui, state, requests);
+}
+
+}  // namespace trocar::ui

@@ -1,0 +1,27 @@
+/// Rollouts that take a while: erring at random, in the simulator; and the file of what was found.
+#pragma once
+
+#include <string>
+
+#include "ui/panel.h"
+
+namespace trocar::ui {
+
+class RolloutRuns {
+ public:
+  void draw(Ui& ui, const WorkbenchState& state, Requests& requests);
+
+ private:
+  void draw_erring(Ui& ui, const WorkbenchState& state, Requests& requests);
+  void draw_physics(Ui& ui, const WorkbenchState& state, Requests& requests);
+  void draw_export(Ui& ui, const WorkbenchState& state, Requests& requests);
+
+  float epsilon_ = 0.1F;
+  std::int64_t runs_ = 100;
+  std::int64_t seed_ = 1;
+  std::int64_t world_seed_ = 1;
+  bool continuous_ = false;
+  std::string file_ = "rollouts.csv";
+};
+
+}  // namespace trocar::ui

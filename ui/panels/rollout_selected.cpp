@@ -1,0 +1,110 @@
+#include "ui/panels/rollout_selected.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/workbench/take_plan.h"
+#include "ui/format.h"
+#include "ui/icons.h"
+#include "ui/panels/common.h"
+#include "ui/panels/rollout_parts.h"
+
+namespace trocar::ui {
+namespace {
+
+std::string cells_list(const spatial::Grid& grid, const std::vector<spatial::CellIndex>& cells) {
+  constexpr std::size_t kMost = 6;
+  std::string words;
+  for (std::size_t i = 0; i < std::min(kMost, cells.size()); ++i) {
+    words += (i == 0 ? "" : "; ") + start_words(grid, cells[i]);
+  }
+  if (cells.size() > kMost) words += fmt::format("; and {} more", cells.size() - kMost);
+  return words.empty() ? "none" : words;
+}
+
+void draw_why(Ui& ui, const workbench::ModelInsight& insight) {
+  const Scope scope(ui, "Why");
+  const learning::Explanation& why = *insight.why;
+  const spatial::Grid& grid = insight.entry->model->grid;
+  fact(ui, "Lost in", fmt::format("{}, after {} steps", start_words(grid, why.where), why.steps));
+  note_item(ui, "text", "Lost in", start_words(grid, why.where), {});
+  if (!why.cycle.empty()) {
+    fact(ui, "Goes round", fmt::format("{} cells: {}", why.cycle.size(), cells_list(grid, why.cycle)));
+  }
+  fact(ui, "Margin there", number(why.margin));
+  fact(ui, "Never tried", why.unexplored.empty() ? "no neighbour" : cells_list(grid, why.unexplored));
+}
+
+void draw_parting(Ui& ui, const workbench::ModelInsight& insight) {
+  const Scope scope(ui, "Second model");
+  const workbench::SecondModel& second = *insight.second;
+  const auto [words, colour] = end_words(ui.theme(), second.selected->end);
+  fact(ui, second.entry->name, words);
+  if (!second.parts_at) {
+    fact(ui, "They part", "never");
+    return;
+  }
+  const learning::Model& a = *insight.entry->model;
+  const learning::Model& b = *second.entry->model;
+  const spatial::CellIndex where = insight.selected->cells[static_cast<std::size_t>(*second.parts_at)];
+  fact(ui, "They part", fmt::format("after {} steps in {}", *second.parts_at, start_words(a.grid, where)));
+  for (int action = 0; action < spatial::kActionCount; ++action) {
+    const auto which = static_cast<spatial::Action>(action);
+    fact(ui, fmt::format("Q {}, A and B", spatial::to_string(which)),
+         number(a.q_at(where, which)) + "  and  " + number(b.q_at(where, which)));
+  }
+}
+
+/// Why no demonstration can begin there; "" if one can.
+std::string cannot_begin(const WorkbenchState& state) {
+  if (const std::string_view busy = being_recorded(state); !busy.empty()) return std::string(busy);
+  const demonstration::Segment segment = state.insight->entry->segment;
+  if (segment == demonstration::Segment::kA) return "";
+  return fmt::format("Segment {} begins with a block in the jaws; only A begins with them empty",
+                     demonstration::letter(segment));
+}
+
+}  // namespace
+
+void draw_selected_rollout(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  if (!state.rollouts.selected || !state.insight->selected) return;
+  const Scope scope(ui, "Selected");
+  const workbench::ModelInsight& insight = *state.insight;
+  const spatial::Grid& grid = insight.entry->model->grid;
+  const learning::Rollout& rollout = *insight.selected;
+  heading(ui, "From " + start_words(grid, rollout.start));
+  const auto [words, colour] = end_words(ui.theme(), rollout.end);
+  {
+    const ColourScope tint(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(words.c_str());
+    note_item(ui, "text", "End", learning::to_string(rollout.end), {});
+  }
+  ImGui::SameLine(0.0F, ui.px(10));
+  dim_text(ui, fmt::format("{} steps, {}", rollout.cells.size() - 1, millimetres(rollout.length_m)));
+  {
+    const FontScope font(ui.fonts().small);
+    if (insight.why) draw_why(ui, insight);
+    if (insight.second && insight.second->selected) draw_parting(ui, insight);
+  }
+  const std::string reason = cannot_begin(state);
+  constexpr std::string_view kLabel = "Record a corrective demonstration from here";
+  if (button(ui, kLabel,
+             {.icon = icon::kRecord,
+              .help = "Arms a take in the workspace Author: the left tool is led to this cell before it begins",
+              .reason = reason,
+              .width = std::min(ImGui::GetContentRegionAvail().x, button_width(ui, kLabel, icon::kRecord))})) {
+    workbench::RecordByHand take = workbench::another_take(state.last_take);
+    take.from = workbench::FromCell{grid.coordinates(rollout.start), grid.n};
+    requests.emplace_back(ShowWorkspace{Workspace::kAuthor});
+    requests.emplace_back(ShowPanel{PanelId::kView});
+    requests.emplace_back(workbench::Command{take});
+  }
+  flow(button_width(ui, "Deselect", icon::kCross), ui.px(6));
+  if (button(ui, "Deselect", {.icon = icon::kCross, .help = "No rollout stands out", .style = ButtonStyle::kQuiet})) {
+    select_start(state, std::nullopt, requests);
+  }
+  ImGui::Dummy({0.0F, ui.px(4)});
+}
+
+}  // namespace trocar::ui
