@@ -104,7 +104,7 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
   draw_way(ui, inside, model.grid, model.experts.front(), ui.theme().text_disabled, 1.0F);
   draw_way(ui, inside, model.grid, rollout.cells, colour, 2.0F);
   list.AddCircleFilled(seen_from_side(inside, model.grid, model.goal), ui.px(3), IM_COL32(255, 200, 60, 255), 12);
-  list.AddCircleFilled(seen_from_side(inside, model.grid, rollout.start), ui.px(3), to_u32(colour), 12);
+  list.AddCircleFilled(seen_from_side(inside, model.grid, rollout.start), ui.px(3), to_u32(ui.theme().text), 12);
   {
     const FontScope font(ui.fonts().small);
     const std::string sign = words.substr(0, words.find(' '));

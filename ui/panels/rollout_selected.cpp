@@ -42,7 +42,8 @@ void draw_parting(Ui& ui, const workbench::ModelInsight& insight) {
   const auto [words, colour] = end_words(ui.theme(), second.selected->end);
   fact(ui, second.entry->name, words);
   if (!second.parts_at) {
-    fact(ui, "They part", "never");
+    const bool same_length = insight.selected->cells.size() == second.selected->cells.size();
+    fact(ui, "They part", same_length ? "never" : "one ends where the other goes on");
     return;
   }
   const learning::Model& a = *insight.entry->model;
