@@ -138,7 +138,6 @@ std::string FieldProbe::csv(const WorkbenchState& state, const spatial::CellCoor
 void FieldProbe::draw(Ui& ui, const WorkbenchState& state, const spatial::CellCoordinates& at, Requests& requests) {
   const Scope scope(ui, "Probe");
   std::erase_if(pinned_, [&](const auto& cell) { return !state.insight->entry->model->grid.contains(cell); });
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
   heading(ui, "Cell " + cell_words(at));
   const bool is_pinned = std::find(pinned_.begin(), pinned_.end(), at) != pinned_.end();
   if (toggle_shown_as(ui, "Pin", is_pinned ? "Pinned" : "Pin", is_pinned,
@@ -153,6 +152,7 @@ void FieldProbe::draw(Ui& ui, const WorkbenchState& state, const spatial::CellCo
               .style = ButtonStyle::kQuiet})) {
     requests.emplace_back(CopyText{csv(state, at)});
   }
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
   {
     const FontScope font(ui.fonts().small);
     for (const ProbeRow& row : rows_of(state, at)) fact(ui, row.name, row.value);

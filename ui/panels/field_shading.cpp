@@ -21,6 +21,11 @@ void FieldShading::update(std::shared_ptr<const learning::Field> field, const wo
   settings_ = settings;
   colouring_ = workbench::colouring_of(*field_, settings_);
   begin_anew();
+  workbench::FieldSettings whole = settings_;
+  whole.limits.reset();
+  if (whole.scale == plot::ScaleKind::kPercentile) whole.scale = plot::ScaleKind::kLinear;
+  axis_ = workbench::colouring_of(*field_, whole).scale;
+  count_values();
 }
 
 void FieldShading::update(std::shared_ptr<const learning::Field> field, const workbench::FieldSettings& settings,
@@ -33,17 +38,14 @@ void FieldShading::update(std::shared_ptr<const learning::Field> field, const wo
   settings_ = settings;
   colouring_ = colouring;
   begin_anew();
+  axis_ = colouring_.scale;
+  count_values();
 }
 
 void FieldShading::begin_anew() {
   revision_ = ++last_revision;
   indices_.fill(-1);
   montage_thickness_ = 0;
-  workbench::FieldSettings whole = settings_;
-  whole.limits.reset();
-  if (whole.scale == plot::ScaleKind::kPercentile) whole.scale = plot::ScaleKind::kLinear;
-  axis_ = workbench::colouring_of(*field_, whole).scale;
-  count_values();
 }
 
 void FieldShading::count_values() {

@@ -41,7 +41,7 @@ class FieldShading {
   std::uint64_t version(int axis) const { return versions_[static_cast<std::size_t>(axis)]; }
 
  private:
-  /// After field, settings and colouring are new.
+  /// Once field, settings and colouring are new.
   void begin_anew();
   void count_values();
 

@@ -64,9 +64,9 @@ void FieldsPanel::draw_slices(Ui& ui, const WorkbenchState& state, Requests& req
     probe_.draw(ui, state, probed, requests);
     return;
   }
-  ImGui::BeginChild("probe", {0.0F, std::max(ImGui::GetContentRegionAvail().y, ui.px(190))});
+  ImGui::BeginGroup();
   probe_.draw(ui, state, probed, requests);
-  ImGui::EndChild();
+  ImGui::EndGroup();
 }
 
 Requests FieldsPanel::draw(Ui& ui, const WorkbenchState& state) {

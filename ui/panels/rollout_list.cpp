@@ -233,7 +233,7 @@ void draw_deviation_band(Ui& ui, const workbench::ModelInsight& insight) {
   list.AddText({area.x0, area.y1 + ui.px(1)}, dim, "step 0");
   const std::string end = fmt::format("step {}", last);
   list.AddText({area.x1 - ImGui::CalcTextSize(end.c_str()).x, area.y1 + ui.px(1)}, dim, end.c_str());
-  small_text(ui, value, ui.theme().text_dim);
+  wrapped_text(ui, value, ui.theme().text_dim);
 }
 
 }  // namespace trocar::ui

@@ -198,7 +198,7 @@ void RolloutMap::draw(Ui& ui, const WorkbenchState& state, Requests& requests) {
     form_label(ui, "Brush");
     slider_int(ui, "Brush", radius_, 1, 5, "%d cells", {.help = "From its middle, within the slice"});
   }
-  colour_legend(ui, shading_, std::numeric_limits<double>::quiet_NaN());
+  colour_legend(ui, shading_, std::numeric_limits<double>::quiet_NaN(), {});
 }
 
 }  // namespace trocar::ui

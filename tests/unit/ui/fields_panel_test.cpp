@@ -23,7 +23,7 @@ struct FieldsDesk : Desk {
       for (const auto& command : result.commands) {
         if (const auto* field = std::get_if<workbench::SetField>(&command)) state.field = field->settings;
       }
-      if (!result.clipboard.empty()) copied = result.clipboard;
+      copied = window.clipboard();
       return {};
     });
   }

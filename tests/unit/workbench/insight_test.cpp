@@ -94,7 +94,8 @@ TEST_CASE("a model is shown at an epoch of its training, and at its end by defau
   CHECK(early->epoch == 2);
   CHECK(early->epochs == 10);
   CHECK(early->entry->model->curve.size() == 2);
-  CHECK(early->exploration.fully_unexplored > maker.make({entry})->exploration.fully_unexplored);
+  request.epoch = -1;
+  CHECK(early->exploration.fully_unexplored > maker.make(request)->exploration.fully_unexplored);
 }
 
 TEST_CASE("beside a second model stand its field, the difference, the outcomes and the measures") {
