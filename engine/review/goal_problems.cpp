@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <numeric>
 
 #include "engine/demonstration/motion.h"
 #include "engine/review/problem_parts.h"
@@ -61,15 +61,16 @@ void add_model_problems(const Reviewed& of, const SegmentGoal& goal, std::vector
   if (!span) return;
   const auto cell_at = [&](std::size_t i) { return goal.grid.cell_at(measured_tip(of.samples[i], 0)); };
   std::size_t last = of.times_s.size();
-  const auto outside =
-      runs_of(of, std::views::iota(std::size_t{0}, of.times_s.size()), [&](std::size_t i) -> std::optional<double> {
-        if (of.times_s[i] < span->begin_s || of.times_s[i] >= span->end_s) return std::nullopt;
-        last = i;
-        const auto cell = cell_at(i);
-        // Outside of the cube is another problem.
-        if (!cell || goal.safe.contains(*cell)) return std::nullopt;
-        return 1.0;
-      });
+  std::vector<std::size_t> all(of.times_s.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto outside = runs_of(of, all, [&](std::size_t i) -> std::optional<double> {
+    if (of.times_s[i] < span->begin_s || of.times_s[i] >= span->end_s) return std::nullopt;
+    last = i;
+    const auto cell = cell_at(i);
+    // Outside of the cube is another problem.
+    if (!cell || goal.safe.contains(*cell)) return std::nullopt;
+    return 1.0;
+  });
   for (const ProblemRun& run : outside) {
     found.push_back({ProblemKind::kSafeSet, Severity::kWarning, of.times_s[run.first], of.times_s[run.last],
                      fmt::format("{} samples of segment {} lie outside of the safe set of {}", run.count,
