@@ -25,8 +25,12 @@ float tab_margin(const Ui& ui, TabWords detail) {
   return detail == TabWords::kIconsOnly ? ui.px(6) : ui.px(11);
 }
 
+float least_tab(const Ui& ui) {
+  return ui.px(24);
+}
+
 float tab_width(const Ui& ui, const std::string& words, TabWords detail) {
-  return std::max(ImGui::CalcTextSize(words.c_str()).x + 2.0F * tab_margin(ui, detail), ui.px(24));
+  return std::max(ImGui::CalcTextSize(words.c_str()).x + 2.0F * tab_margin(ui, detail), least_tab(ui));
 }
 
 TabWords tab_words(const Ui& ui, const Tile& tile, float room) {
@@ -39,6 +43,18 @@ TabWords tab_words(const Ui& ui, const Tile& tile, float room) {
     if (width <= room) return detail;
   }
   return TabWords::kIconsOnly;
+}
+
+// Where even the icons are too many for one row, they stand in several, as evenly as they can.
+std::size_t tabs_of_row(const Ui& ui, const Tile& tile, float room) {
+  const std::size_t most = std::max<std::size_t>(1, static_cast<std::size_t>(room / least_tab(ui)));
+  const std::size_t rows = (tile.panels.size() + most - 1) / most;
+  return (tile.panels.size() + rows - 1) / rows;
+}
+
+std::size_t tab_rows(const Ui& ui, const Tile& tile, float room) {
+  const std::size_t of_row = tabs_of_row(ui, tile, room);
+  return (tile.panels.size() + of_row - 1) / of_row;
 }
 
 // The picture goes to the edge of its tile; everything else has a margin.
@@ -118,26 +134,33 @@ void TileArea::draw_tabs(Ui& ui, const Tile& tile, const Rect& rect, Tile& layou
   ImGui::GetWindowDrawList()->AddRectFilled({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(ui.theme().header));
   const Scope scope(ui, "Tabs");
   const TabWords detail = tab_words(ui, tile, rect.width());
-  // Where even the icons are too many, they share what room there is.
-  const float share = std::floor(rect.width() / static_cast<float>(tile.panels.size()));
+  const std::size_t of_row = tabs_of_row(ui, tile, rect.width());
+  const float height = rect.height() / static_cast<float>(tab_rows(ui, tile, rect.width()));
+  const float share = std::floor(rect.width() / static_cast<float>(of_row));
   const float most = detail == TabWords::kIconsOnly ? share : rect.width();
   float x = rect.x0;
+  float y = rect.y0;
   std::optional<PanelId> chosen;
-  for (int i = 0; i < static_cast<int>(tile.panels.size()); ++i) {
-    const PanelId panel = tile.panels[static_cast<std::size_t>(i)];
-    const bool active = i == tile.active;
+  for (std::size_t i = 0; i < tile.panels.size(); ++i) {
+    const PanelId panel = tile.panels[i];
+    const bool active = static_cast<int>(i) == tile.active;
     const std::string words = words_of_tab(panel, active, detail);
     const float width = std::min(tab_width(ui, words, detail), most);
-    ImGui::SetCursorScreenPos({x, rect.y0});
-    if (ImGui::InvisibleButton(std::string(title(panel)).c_str(), {width, rect.height()})) chosen = panel;
+    if (i > 0 && i % of_row == 0) {
+      x = rect.x0;
+      y += height;
+    }
+    ImGui::SetCursorScreenPos({x, y});
+    if (ImGui::InvisibleButton(std::string(title(panel)).c_str(), {width, height})) chosen = panel;
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, ui.px(6)) && !drag_cancelled_) dragged_ = panel;
     const bool hovered = ImGui::IsItemHovered();
     if (hovered && ImGui::IsMouseClicked(2)) requests.emplace_back(Arrange{closed(layout, panel)});
     note_item(ui, "tab", title(panel), active ? "on" : "off",
               {.help = detail >= TabWords::kIcons ? title(panel) : std::string_view{}});
-    draw_tab(ui, {x, rect.y0, x + width, rect.y1}, words, active, hovered);
+    const Rect tab{x, y, x + width, y + height};
+    draw_tab(ui, tab, words, active, hovered);
+    grounds_.back().tabs.push_back(tab);
     x += width;
-    grounds_.back().ends.push_back(x);
   }
   if (chosen) bring_to_front(layout, *chosen);
   ImGui::PopClipRect();
@@ -148,7 +171,7 @@ void TileArea::draw_tile(Ui& ui, const WorkbenchState& state, const PlacedTile& 
   const Tile& tile = *placed.tile;
   const PanelId panel = tile.panels[static_cast<std::size_t>(tile.active)];
   const Rect& rect = placed.rect;
-  const float strip = ui.px(30);
+  const float strip = ui.px(30) * static_cast<float>(tab_rows(ui, tile, rect.width()));
   grounds_.push_back(
       {{rect.x0, rect.y0, rect.x1, rect.y0 + strip}, {rect.x0, rect.y0 + strip, rect.x1, rect.y1}, tile.panels, {}});
   draw_tabs(ui, tile, grounds_.back().strip, layout, requests);
@@ -202,15 +225,17 @@ std::optional<TileArea::Drop> TileArea::drop_at(const Ui& ui, ImVec2 mouse) cons
   for (const Ground& ground : grounds_) {
     const PanelId beside = ground.panels.front();
     if (ground.strip.contains(mouse.x, mouse.y)) {
-      int index = 0;
-      float begin = ground.strip.x0;
-      for (const float end : ground.ends) {
-        if (mouse.x < 0.5F * (begin + end)) break;
-        begin = end;
-        ++index;
-      }
+      // Before the first tab of which the mouse is left of the middle, or of which it is in a row above.
+      const auto follows = [mouse](const Rect& tab) {
+        return mouse.y < tab.y0 || (mouse.y < tab.y1 && mouse.x < tab.centre_x());
+      };
+      const auto next = std::find_if(ground.tabs.begin(), ground.tabs.end(), follows);
+      const bool last_of_row = next == ground.tabs.end() || mouse.y < next->y0;
+      const Rect& neighbour = last_of_row ? *std::prev(next) : *next;
+      const float at = last_of_row ? neighbour.x1 : neighbour.x0;
       const float half = 0.5F * ui.px(4);
-      return Drop{{beside, {}, index}, {begin - half, ground.strip.y0, begin + half, ground.strip.y1}};
+      return Drop{{beside, {}, static_cast<int>(next - ground.tabs.begin())},
+                  {at - half, neighbour.y0, at + half, neighbour.y1}};
     }
     if (!ground.body.contains(mouse.x, mouse.y)) continue;
     const std::optional<Side> side = side_near(ground.body, mouse);

@@ -40,7 +40,7 @@ class TileArea {
     Rect strip;
     Rect body;
     std::vector<PanelId> panels;
-    std::vector<float> ends;  ///< Of the tabs, pixels.
+    std::vector<Rect> tabs;  ///< In the order of the panels.
   };
   struct Drop {
     DropPlace place;

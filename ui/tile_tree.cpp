@@ -366,13 +366,13 @@ Tile default_layout(Workspace workspace) {
       return split(row, {0.52F, 0.48F},
                    {split(column, {0.72F, 0.28F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog})}),
                     split(column, {0.52F, 0.48F},
-                          {tabs({kView}), tabs({kInspector, kEdits, kTrain, kTimeline, kCurves, kDiff, kFields,
+                          {tabs({kView}), tabs({kInspector, kEdits, kTrain, kTimeline, kCurves, kDiff, kFields, kModels,
                                                 kRollouts})})});
     case Workspace::kAuthor:
       return split(row, {0.245F, 0.515F, 0.24F},
                    {split(column, {0.64F, 0.36F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog})}),
                     split(column, {0.54F, 0.46F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kInspector, kEdits, kTrain, kFields, kRollouts})});
+                    tabs({kInspector, kEdits, kTrain, kFields, kModels, kRollouts})});
     case Workspace::kFields:
       return split(row, {0.235F, 0.405F, 0.36F},
                    {split(column, {0.6F, 0.4F},

@@ -152,40 +152,43 @@ void FieldProbe::draw(Ui& ui, const WorkbenchState& state, const spatial::CellCo
               .style = ButtonStyle::kQuiet})) {
     requests.emplace_back(CopyText{csv(state, at)});
   }
+  const FontScope font(ui.fonts().small);
+  if (!pinned_.empty()) return draw_table(ui, state, at);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
-  {
-    const FontScope font(ui.fonts().small);
-    for (const ProbeRow& row : rows_of(state, at)) fact(ui, row.name, row.value);
-  }
+  for (const ProbeRow& row : rows_of(state, at)) fact(ui, row.name, row.value);
   ImGui::PopStyleVar();
-  if (!pinned_.empty()) draw_table(ui, state);
 }
 
-void FieldProbe::draw_table(Ui& ui, const WorkbenchState& state) {
+void FieldProbe::draw_table(Ui& ui, const WorkbenchState& state, const spatial::CellCoordinates& at) {
   const Scope scope(ui, "Pinned");
-  heading(ui, counted(pinned_.size(), "pinned cell"));
+  dim_text(ui, counted(pinned_.size(), "pinned cell"));
   std::optional<spatial::CellCoordinates> taken_off;
-  const FontScope font(ui.fonts().small);
-  const std::vector<ProbeRow> names = rows_of(state, pinned_.front());
+  // The cell under the mouse first, then what it is to be compared with.
+  std::vector<spatial::CellCoordinates> cells = pinned_;
+  const bool loose = std::find(cells.begin(), cells.end(), at) == cells.end();
+  if (loose) cells.insert(cells.begin(), at);
+  const std::vector<ProbeRow> names = rows_of(state, cells.front());
   const float line = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
   const float height = line * static_cast<float>(names.size() + 1) + ImGui::GetFrameHeight() +
                        ImGui::GetStyle().ScrollbarSize + ui.px(8);
   constexpr ImGuiTableFlags kFlags =
       ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit;
-  if (!ImGui::BeginTable("pinned", static_cast<int>(pinned_.size()) + 1, kFlags, {0.0F, height})) return;
+  if (!ImGui::BeginTable("pinned", static_cast<int>(cells.size()) + 1, kFlags, {0.0F, height})) return;
   ImGui::TableSetupScrollFreeze(1, 0);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   dim_text(ui, "Cell");
-  for (const spatial::CellCoordinates& cell : pinned_) {
+  for (const spatial::CellCoordinates& cell : cells) {
     ImGui::TableNextColumn();
     const std::string words = cell_words(cell);
-    if (button(ui, words, {.icon = icon::kCross, .help = "Take it off", .style = ButtonStyle::kQuiet})) {
+    if (loose && cell == at) {
+      dim_text(ui, words);
+    } else if (button(ui, words, {.icon = icon::kCross, .help = "Take it off", .style = ButtonStyle::kQuiet})) {
       taken_off = cell;
     }
   }
   std::vector<std::vector<ProbeRow>> columns;
-  for (const spatial::CellCoordinates& cell : pinned_) columns.push_back(rows_of(state, cell));
+  for (const spatial::CellCoordinates& cell : cells) columns.push_back(rows_of(state, cell));
   for (std::size_t row = 0; row < names.size(); ++row) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -193,7 +196,7 @@ void FieldProbe::draw_table(Ui& ui, const WorkbenchState& state) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       ImGui::TableNextColumn();
       text(ui, columns[i][row].value);
-      note_item(ui, "text", names[row].name + " of " + cell_words(pinned_[i]), columns[i][row].value, {});
+      note_item(ui, "text", names[row].name + " of " + cell_words(cells[i]), columns[i][row].value, {});
     }
   }
   ImGui::EndTable();

@@ -20,7 +20,7 @@ class FieldProbe {
   std::string csv(const WorkbenchState& state, const spatial::CellCoordinates& at) const;
 
  private:
-  void draw_table(Ui& ui, const WorkbenchState& state);
+  void draw_table(Ui& ui, const WorkbenchState& state, const spatial::CellCoordinates& at);
 
   std::vector<spatial::CellCoordinates> pinned_;
 };

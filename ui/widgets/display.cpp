@@ -96,7 +96,8 @@ void fact(Ui& ui, std::string_view name, std::string_view value) {
     ImGui::TextUnformatted(name.data(), name.data() + name.size());
   }
   if (column + width_of(value) <= width) {
-    ImGui::SameLine(left + column);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + column);
   } else {
     ImGui::SetCursorPosX(left + ui.px(10));
   }
