@@ -28,7 +28,7 @@ std::vector<std::string> names_of(const Kinds& kinds) {
 }
 
 std::vector<std::string> map_names() {
-  std::vector<std::string> names{"automatic"};
+  std::vector<std::string> names{"automatic colours"};
   for (const plot::ColourMap map : kMaps) names.emplace_back(plot::to_string(map));
   return names;
 }
@@ -55,6 +55,23 @@ bool choose_map(Ui& ui, std::optional<plot::ColourMap>& map, const WidgetOptions
   return true;
 }
 
+std::vector<std::string> vision_names() {
+  std::vector<std::string> names = names_of(plot::all_colour_visions());
+  names.front() = "full colour vision";
+  return names;
+}
+
+bool choose_vision(Ui& ui, plot::ColourVision& vision, float width) {
+  static const std::vector<std::string> kNames = vision_names();
+  auto chosen = static_cast<int>(vision);
+  if (!combo(ui, "Seen with", chosen, kNames,
+             {.help = "How a reader without red, green or blue cones sees it, or a print in grey", .width = width})) {
+    return false;
+  }
+  vision = plot::all_colour_visions()[static_cast<std::size_t>(chosen)];
+  return true;
+}
+
 bool choose_colours(Ui& ui, const FieldShading& shading, FieldSettings& settings) {
   const std::string_view reason = shading.field().categorical ? "Classes have no scale" : "";
   const std::string_view no_map = shading.field().categorical ? "Classes have colours of their own" : "";
@@ -68,17 +85,13 @@ bool choose_colours(Ui& ui, const FieldShading& shading, FieldSettings& settings
   changed |= choose_map(ui, settings.map,
                         {.help = "The colours; automatic: what suits the layer", .reason = no_map, .width = width});
   flow(width, gap);
-  changed |=
-      choose(ui, "Seen with", settings.vision, plot::all_colour_visions(),
-             {.help = "How a reader without red, green or blue cones sees it, or a print in grey", .width = width});
-  return changed;
+  return choose_vision(ui, settings.vision, width) || changed;
 }
 
 bool flag(Ui& ui, std::string_view label, bool& on, std::string_view help, std::string_view reason = {}) {
-  flow(button_width(ui, label, nullptr), ui.px(4));
-  if (!toggle(ui, label, on, {.help = help, .reason = reason})) return false;
-  on = !on;
-  return true;
+  const float gap = ui.px(14);
+  flow(ImGui::GetFrameHeight() + ui.px(8) + ImGui::CalcTextSize(label.data(), label.data() + label.size()).x, gap);
+  return checkbox(ui, label, on, {.help = help, .reason = reason});
 }
 
 bool share_slider(Ui& ui, std::string_view label, double& share, const char* format, std::string_view help) {
@@ -90,8 +103,7 @@ bool share_slider(Ui& ui, std::string_view label, double& share, const char* for
 
 bool choose_drawings(Ui& ui, const FieldShading& shading, FieldSettings& settings) {
   const std::string_view reason = shading.field().categorical ? "Classes have neither surface nor volume" : "";
-  bool changed = toggle(ui, "Voxels", settings.voxels, {.help = "Draw the cells above the threshold as small cubes"});
-  if (changed) settings.voxels = !settings.voxels;
+  bool changed = checkbox(ui, "Voxels", settings.voxels, {.help = "Draw the cells above the threshold as small cubes"});
   changed |= flag(ui, "Surface", settings.iso_surface, "Draw where the field has one value", reason);
   changed |= flag(ui, "Volume", settings.volume, "Draw the field as a cloud, thick where it is strong", reason);
   changed |= flag(ui, "Streamlines", settings.streamlines, "Draw where the greedy policy leads");
