@@ -36,6 +36,19 @@ std::vector<CellIndex> steps_between(const Grid& grid, CellIndex from, CellIndex
   return cells;
 }
 
+namespace {
+
+// Along each axis the coordinate of `kept`, unless the point lies clearly beyond it.
+CellIndex with_hysteresis(const Grid& grid, CellIndex kept, CellIndex cell, const Eigen::Vector3d& p_WQ) {
+  const CellCoordinates a = grid.coordinates(kept);
+  const CellCoordinates b = grid.coordinates(cell);
+  const Eigen::Vector3d off = (p_WQ - grid.centre(kept)).cwiseAbs() / grid.cell_m;
+  const auto along = [&off](int axis, int from, int to) { return off[axis] < 0.5 + kCellHysteresis ? from : to; };
+  return grid.index({along(0, a.x, b.x), along(1, a.y, b.y), along(2, a.z, b.z)});
+}
+
+}  // namespace
+
 Result<CellPath> discretise(const Demonstration& demonstration, Segment label, const Grid& grid) {
   const std::optional<SegmentSpan> span = demonstration.segment(label);
   if (!span) {
@@ -47,19 +60,20 @@ Result<CellPath> discretise(const Demonstration& demonstration, Segment label, c
   for (const Sample& sample : demonstration.samples_in(*span)) {
     const std::array<float, 3>& p = sample.arms[0].measured.p;
     const Eigen::Vector3d p_WT(static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
-    const Result<CellIndex> cell = grid.cell_at(p_WT);
-    if (!cell) {
+    const Result<CellIndex> holds = grid.cell_at(p_WT);
+    if (!holds) {
       ++path.outside;
       continue;
     }
-    const double error_m = (p_WT - grid.centre(*cell)).norm();
+    const CellIndex cell = path.cells.empty() ? *holds : with_hysteresis(grid, path.cells.back(), *holds, p_WT);
+    const double error_m = (p_WT - grid.centre(cell)).norm();
     path.max_error_m = std::max(path.max_error_m, error_m);
     error_sum_m += error_m;
     ++inside;
     if (path.cells.empty()) {
-      path.cells.push_back(*cell);
+      path.cells.push_back(cell);
     } else {
-      for (const CellIndex next : steps_between(grid, path.cells.back(), *cell)) path.cells.push_back(next);
+      for (const CellIndex next : steps_between(grid, path.cells.back(), cell)) path.cells.push_back(next);
     }
   }
   if (path.cells.size() < 2) {

@@ -20,9 +20,13 @@ struct CellPath {
 std::vector<spatial::CellIndex> steps_between(const spatial::Grid& grid, spatial::CellIndex from,
                                               spatial::CellIndex to);
 
-/// The left tool tip's measured path during `label`, as cells. Diagonal steps are filled with single actions along the
-/// line between the two cell centres, ties broken x, y, z.
-/// Errors: kInvalidArgument if the segment is missing, or fewer than 2 cells remain.
+/// How far beyond its face a cell is still kept, in widths of a cell: a tool that rests on a face, or goes down along
+/// one, does not go to and fro with the noise of its encoders.
+constexpr double kCellHysteresis = 0.2;
+
+/// The left tool tip's measured path during `label`, as cells, kept as `kCellHysteresis` says. Diagonal steps are
+/// filled with single actions along the line between the two cell centres, ties broken x, y, z. Errors:
+/// kInvalidArgument if the segment is missing, or fewer than 2 cells remain.
 Result<CellPath> discretise(const Demonstration& demonstration, Segment label, const spatial::Grid& grid);
 
 }  // namespace trocar::demonstration
