@@ -211,6 +211,9 @@ std::string view_text(const workbench::FieldSettings& field, const WorkbenchStat
   if (state.demonstration == DemonstrationId{} || state.model == ModelId{}) return "";
   std::string text = fmt::format("trocar view render {} {} --model {} --layer {}", project, state.demonstration.value,
                                  state.model.value, learning::to_string(field.layer));
+  if (state.learning.second_in_view && state.insight && state.insight->second) {
+    text += fmt::format(" --beside {}", state.learning.second.value);
+  }
   if (field.scale != plot::ScaleKind::kLinear) text += fmt::format(" --scale {}", plot::to_string(field.scale));
   if (field.map) text += fmt::format(" --map {}", plot::to_string(*field.map));
   if (field.vision != plot::ColourVision::kFull) text += fmt::format(" --vision {}", plot::to_string(field.vision));
@@ -232,6 +235,34 @@ std::string view_text(const workbench::FieldSettings& field, const WorkbenchStat
   if (field.glyphs != workbench::Glyphs::kNone) text += fmt::format(" --glyphs {}", to_string(field.glyphs));
   if (field.streamlines) text += " --streamlines " + shell_word(field.streamline_starts);
   return text + fmt::format(" --opacity {:.6g} --out F.png", field.opacity);
+}
+
+/// What the panel of models shows; "" where the command line has no word for it.
+std::string learning_text(const workbench::LearningSettings& settings, const WorkbenchState& state,
+                          const std::string& project) {
+  if (!state.project) return "";
+  const auto found = state.project->models.find(state.model);
+  if (found == state.project->models.end() || found->second->model == nullptr) return "";
+  const workbench::ModelEntry& entry = *found->second;
+  if (settings.seeds > 0 && settings.seeds != state.learning.seeds) {
+    TrainModel train;
+    train.demonstrations = entry.demonstrations;
+    train.segment = entry.segment;
+    train.options = entry.model->options;
+    train.grid = entry.model->grid.n;
+    std::string text = train_text(train, project);
+    text.replace(text.find(" model train "), std::string_view(" model train ").size(), " model seeds ");
+    return text + fmt::format(" --seeds {} --layer {}", settings.seeds, learning::to_string(state.field.layer));
+  }
+  if (settings.second_in_view != state.learning.second_in_view) {
+    WorkbenchState next = state;
+    next.learning = settings;
+    return view_text(state.field, next, project);
+  }
+  if (settings.second != state.learning.second && settings.second != ModelId{}) {
+    return fmt::format("trocar model compare {} {} {}", project, state.model.value, settings.second.value);
+  }
+  return "";
 }
 
 constexpr std::array<const char*, 4> kCameras{"paper", "top", "side", "front"};
@@ -312,6 +343,9 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
   }
   if (const auto* figure = std::get_if<ExportField>(&command)) return field_text(*figure, project);
   if (const auto* field = std::get_if<SetField>(&command)) return view_text(field->settings, state, project);
+  if (const auto* learning = std::get_if<workbench::SetLearning>(&command)) {
+    return learning_text(learning->settings, state, project);
+  }
   if (const auto* rows = std::get_if<ExportRollouts>(&command)) return rollout_rows_text(*rows, state, project);
   if (const auto* erring = std::get_if<RunMonteCarlo>(&command)) {
     return rollouts_text("run", state, project) + erring_text(erring->options);

@@ -5,6 +5,7 @@
 #include "app/commands/train_arguments.h"
 #include "app/lookup.h"
 #include "engine/core/file.h"
+#include "engine/figure/field_figure.h"
 #include "engine/learning/learning_history.h"
 #include "engine/learning/seed_study.h"
 #include "engine/workbench/jobs/train_job.h"
@@ -16,6 +17,9 @@ struct StudyArguments {
   TrainArguments training;
   learning::SeedStudyOptions study;
   std::string out;
+  std::string layer = "reward";
+  std::string mean;
+  std::string spread;
 };
 
 void bind_study(CLI::App& verb, StudyArguments& arguments) {
@@ -75,13 +79,30 @@ std::string csv_of(const Json& rows) {
   return csv;
 }
 
+void bind_seeds(CLI::App& verb, StudyArguments& arguments) {
+  bind_study(verb, arguments);
+  verb.add_option("--layer", arguments.layer, "Of which mean and spread are taken")->capture_default_str();
+  verb.add_option("--mean", arguments.mean, "F.svg, F.csv or F.npy: the layer's mean over the seeds");
+  verb.add_option("--spread", arguments.spread, "Likewise: its standard deviation");
+}
+
+/// A field over the seeds as a file; nothing for an empty path.
+Status save_study(const learning::Field& field, const std::string& path, const StudyArguments& arguments) {
+  if (path.empty()) return {};
+  TROCAR_RETURN_IF_ERROR(check_output(path, arguments.training.project, {".svg", ".csv", ".npy"}));
+  return figure::save_field(field, figure::suggested_options(field), path);
+}
+
 Result<Answer> run_seeds(const StudyArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const Subject subject, subject_of(arguments, console));
+  TROCAR_ASSIGN_OR_RETURN(const learning::Layer layer, learning::layer_from(arguments.layer));
   learning::SeedStudyOptions study = arguments.study;
   study.first_seed = subject.options.seed;
-  TROCAR_ASSIGN_OR_RETURN(const learning::SeedStudy result,
-                          learning::study_seeds(subject.grid, subject.experts, subject.options,
-                                                learning::Layer::kReward, study, console.progress()));
+  TROCAR_ASSIGN_OR_RETURN(
+      const learning::SeedStudy result,
+      learning::study_seeds(subject.grid, subject.experts, subject.options, layer, study, console.progress()));
+  TROCAR_RETURN_IF_ERROR(save_study(result.mean, arguments.mean, arguments));
+  TROCAR_RETURN_IF_ERROR(save_study(result.spread, arguments.spread, arguments));
   Answer answer;
   answer.json["seeds"] = Json::array();
   double least = 1.0;
@@ -177,7 +198,7 @@ Result<Answer> run_epoch(const EpochArguments& arguments, Console& console) {
 }  // namespace
 
 void add_model_study_commands(CLI::App& noun, Action& chosen) {
-  add_verb<StudyArguments>(noun, chosen, "seeds", "Train with several seeds and say how much is chance", bind_study,
+  add_verb<StudyArguments>(noun, chosen, "seeds", "Train with several seeds and say how much is chance", bind_seeds,
                            run_seeds);
   add_verb<StudyArguments>(
       noun, chosen, "explore", "Compare exploration with none over seeds, as section V.A of the paper",

@@ -83,6 +83,7 @@ struct ViewArguments {
   std::string camera = "paper";
   std::string size = "960x540";
   std::string model;
+  std::string beside;
   FieldArguments field;
   bool path = false;
   int samples = 4;
@@ -102,6 +103,8 @@ void bind_view(CLI::App& verb, ViewArguments& arguments) {
       ->capture_default_str();
   verb.add_flag("--path", arguments.path, "Draw both tools' paths, coloured by segment");
   CLI::Option* model = verb.add_option("--model", arguments.model, "Draw a field of this model through its goal");
+  verb.add_option("--beside", arguments.beside, "Another model's field, in the right half, on one scale with the first")
+      ->needs(model);
   bind_field(verb, arguments.field, model);
   verb.add_option("--out", arguments.out, "F.png")->required();
 }
@@ -170,6 +173,23 @@ Result<stage::FieldLayer> layer_of(const workbench::ModelEntry& entry, const Fie
   return workbench::field_layer(std::move(field), settings, {entry.model, policy});
 }
 
+/// The second model's field to the right of the first's, which is in `request`, on the scale of both.
+Status add_beside(const workbench::ModelEntry& first, const workbench::ModelEntry& second,
+                  const FieldArguments& arguments, workbench::ViewRequest& request) {
+  if (first.model->grid != second.model->grid) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("{} and {} have different lattices", first.name, second.name));
+  }
+  TROCAR_ASSIGN_OR_RETURN(stage::FieldLayer layer, layer_of(second, arguments));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::FieldSettings settings, settings_from(arguments, *first.model));
+  stage::FieldLayer& left = request.fields.front();
+  // Cut where the first is cut, also where its goal is another.
+  layer.slices = left.slices;
+  left.colouring = workbench::shared_colouring(*left.field, *layer.field, settings);
+  layer.colouring = left.colouring;
+  request.beside = {request.pose, request.paths, {std::move(layer)}};
+  return {};
+}
+
 Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png"}));
   TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
@@ -201,6 +221,12 @@ Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
     request.fields.push_back(std::move(layer));
     request.options.lattice_frame = true;
     owner = fmt::format("{}, segment {}", entry->name, demonstration::letter(entry->segment));
+    if (!arguments.beside.empty()) {
+      TROCAR_ASSIGN_OR_RETURN(const auto second, find_model(*file.project(), arguments.beside));
+      warn_if_stale(*file.project(), *second, console);
+      TROCAR_RETURN_IF_ERROR(add_beside(*entry, *second, arguments.field, request));
+      owner = fmt::format("left: {}, right: {}", owner, second->name);
+    }
   }
   TROCAR_ASSIGN_OR_RETURN(workbench::Studio studio, workbench::Studio::create());
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());

@@ -189,6 +189,8 @@ struct LearningSettings {
   ModelId second;  ///< None: the selected model alone.
   int epoch = -1;  ///< Of the training; −1: its end.
   bool follow = true;
+  bool second_in_view = false;  ///< The second model, too, in the right half of the 3-D view.
+  int seeds = 0;                ///< So many trainings with other seeds are studied (at least 2); 0: none.
   bool operator==(const LearningSettings&) const = default;
 };
 struct SetLearning {

@@ -20,6 +20,12 @@ plot::Colouring colouring_of(const learning::Field& field, const FieldSettings& 
   return colouring;
 }
 
+plot::Colouring shared_colouring(const learning::Field& a, const learning::Field& b, const FieldSettings& settings) {
+  learning::Field both = a;
+  both.values.insert(both.values.end(), b.values.begin(), b.values.end());
+  return colouring_of(both, settings);
+}
+
 bool same_colours(const FieldSettings& a, const FieldSettings& b) {
   return a.layer == b.layer && a.scale == b.scale && a.map == b.map && a.vision == b.vision && a.limits == b.limits;
 }

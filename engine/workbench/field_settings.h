@@ -23,8 +23,8 @@ struct FieldSettings {
   bool iso_surface = false;
   double iso_level = 0.5;  ///< Position on the scale, 0 … 1.
   bool volume = false;
-  Glyphs glyphs = Glyphs::kNone;  ///< On the slices that are shown.
-  bool streamlines = false;       ///< Where the greedy policy leads …
+  Glyphs glyphs = Glyphs::kNone;               ///< On the slices that are shown.
+  bool streamlines = false;                    ///< Where the greedy policy leads …
   std::string streamline_starts = "around:2";  ///< … from here, as `learning::starts_from` reads it.
   plot::ScaleKind scale = plot::ScaleKind::kLinear;
   std::optional<plot::ColourMap> map;  ///< None: what suits the layer.
@@ -36,6 +36,8 @@ struct FieldSettings {
 
 /// Limits that the kind of scale cannot have (log across zero) are not heeded. Classes keep their own colours.
 plot::Colouring colouring_of(const learning::Field& field, const FieldSettings& settings);
+/// Of the values of both, so that a colour means one value in either. Precondition: the same layer.
+plot::Colouring shared_colouring(const learning::Field& a, const learning::Field& b, const FieldSettings& settings);
 /// The same colours: all else may differ.
 bool same_colours(const FieldSettings& a, const FieldSettings& b);
 

@@ -130,15 +130,20 @@ void InsightMaker::add_second(const InsightRequest& request, ModelInsight& insig
     auto comparison = std::make_shared<const learning::ModelComparison>(learning::compare_models(a, b));
     auto outcomes = std::make_shared<const learning::Field>(
         learning::paired_outcomes(a.grid, comparison->basin_a, comparison->basin_b));
-    compared_ = {insight.entry, request.second, std::move(comparison), std::move(outcomes)};
+    compared_ = {insight.entry, request.second, std::move(comparison), std::move(outcomes),
+                 std::make_shared<const std::vector<std::uint8_t>>(learning::greedy_policy(b))};
   }
   SecondModel second;
   second.entry = request.second;
   second.comparison = compared_.comparison;
   second.outcomes = compared_.outcomes;
+  second.policy = compared_.policy_b;
+  for (const learning::Rollout& ghost : insight.ghosts) {
+    second.ghosts.push_back(learning::rollout(b, *second.policy, ghost.start));
+  }
   second.paired = learning::compare(second.comparison->basin_a, second.comparison->basin_b, insight.starts);
   if (insight.selected) {
-    second.selected = learning::rollout(b, learning::greedy_policy(b), insight.selected->start);
+    second.selected = learning::rollout(b, *second.policy, insight.selected->start);
     second.parts_at = learning::first_divergence(insight.selected->cells, second.selected->cells);
   }
   second.field = std::make_shared<const learning::Field>(field_of(b, request.layer));

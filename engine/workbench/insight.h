@@ -24,7 +24,9 @@ constexpr int kMostListed = 12'000;
 /// The model that the first is compared with.
 struct SecondModel {
   std::shared_ptr<const ModelEntry> entry;
-  std::shared_ptr<const learning::Field> field;                 ///< Of the layer in `FieldSettings`.
+  std::shared_ptr<const learning::Field> field;  ///< Of the layer in `FieldSettings`.
+  std::shared_ptr<const std::vector<std::uint8_t>> policy;
+  std::vector<learning::Rollout> ghosts;                        ///< From the starts of the first one's.
   std::shared_ptr<const learning::Field> difference;            ///< This one's layer less the first's.
   std::shared_ptr<const learning::ModelComparison> comparison;  ///< A: the first, B: this one.
   std::shared_ptr<const learning::Field> outcomes;              ///< Of each start, with the first and with this one.
@@ -112,6 +114,7 @@ class InsightMaker {
     std::shared_ptr<const ModelEntry> b;
     std::shared_ptr<const learning::ModelComparison> comparison;
     std::shared_ptr<const learning::Field> outcomes;
+    std::shared_ptr<const std::vector<std::uint8_t>> policy_b;
   } compared_;
 };
 

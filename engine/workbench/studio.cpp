@@ -24,12 +24,14 @@ Result<Studio> Studio::create() {
 }
 
 Result<Image> Studio::picture(const ViewRequest& request) {
-  if (!request.beside) return one_picture(request);
+  if (!request.beside) return one_picture(request, 0);
   ViewRequest half = request;
   half.render.width = std::max(request.render.width / 2, 1);
-  TROCAR_ASSIGN_OR_RETURN(const Image left, one_picture(half));
-  half.pose = *request.beside;
-  TROCAR_ASSIGN_OR_RETURN(const Image right, one_picture(half));
+  TROCAR_ASSIGN_OR_RETURN(const Image left, one_picture(half, 0));
+  half.pose = request.beside->pose;
+  half.paths = request.beside->paths;
+  half.fields = request.beside->fields;
+  TROCAR_ASSIGN_OR_RETURN(const Image right, one_picture(half, 1));
   Image both(2 * left.width, left.height);
   const std::size_t row = 4 * static_cast<std::size_t>(left.width);
   for (std::size_t y = 0; y < static_cast<std::size_t>(left.height); ++y) {
@@ -39,27 +41,28 @@ Result<Image> Studio::picture(const ViewRequest& request) {
   return both;
 }
 
-Result<Image> Studio::one_picture(const ViewRequest& request) {
+Result<Image> Studio::one_picture(const ViewRequest& request, std::size_t half) {
   stage::StageOptions options = request.options;
   options.camera_right = request.camera.X_WC.rotation().col(0);
   options.lattice_frame = false;
   scene::Scene scene = stage_->scene(request.pose, {}, {}, options);
-  show_paths(request.paths);
-  show_fields(request.fields);
+  Kept& kept = kept_[half];
+  show_paths(request.paths, kept);
+  show_fields(request.fields, kept);
   const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-  add(scene.nodes, path_nodes_);
-  add(scene.nodes, field_scene_.nodes);
-  add(scene.quads, field_scene_.quads);
+  add(scene.nodes, kept.path_nodes);
+  add(scene.nodes, kept.field_scene.nodes);
+  add(scene.quads, kept.field_scene.quads);
   if (request.options.lattice_frame) {
     const bool known = !request.fields.empty() && request.fields.front().field != nullptr;
     stage_->add_lattice_frame(known ? request.fields.front().field->grid : spatial::Grid{}, scene);
   }
-  TROCAR_ASSIGN_OR_RETURN(Image image, drawn(scene, request));
+  TROCAR_ASSIGN_OR_RETURN(Image image, drawn(scene, request, kept.volumes));
   labels_.draw(image, scene, request.camera);
   return image;
 }
 
-Result<Image> Studio::drawn(const scene::Scene& scene, const ViewRequest& request) {
+Result<Image> Studio::drawn(const scene::Scene& scene, const ViewRequest& request, volume::Marcher& volumes) {
   const auto has_volume = [](const stage::FieldLayer& layer) {
     return layer.volume && layer.field != nullptr && !layer.field->categorical;
   };
@@ -73,25 +76,25 @@ Result<Image> Studio::drawn(const scene::Scene& scene, const ViewRequest& reques
     options.divisor = request.coarse ? kCoarseDivisor : 1;
     options.opacity = layer.opacity;
     options.slices = layer.slices;
-    volumes_.draw(picture.image, picture.depth_m, request.camera, layer.field, layer.colouring, options);
+    volumes.draw(picture.image, picture.depth_m, request.camera, layer.field, layer.colouring, options);
   }
   return std::move(picture.image);
 }
 
-void Studio::show_fields(const std::vector<stage::FieldLayer>& fields) {
-  if (std::equal(fields.begin(), fields.end(), fields_.begin(), fields_.end(), stage::same_drawing)) return;
-  fields_ = fields;
-  field_scene_ = stage_->field_scene(fields);
+void Studio::show_fields(const std::vector<stage::FieldLayer>& fields, Kept& kept) const {
+  if (std::equal(fields.begin(), fields.end(), kept.fields.begin(), kept.fields.end(), stage::same_drawing)) return;
+  kept.fields = fields;
+  kept.field_scene = stage_->field_scene(fields);
 }
 
-void Studio::show_paths(const std::shared_ptr<const std::vector<stage::PathLayer>>& paths) {
-  if (paths == paths_) return;
-  paths_ = paths;
+void Studio::show_paths(const std::shared_ptr<const std::vector<stage::PathLayer>>& paths, Kept& kept) const {
+  if (paths == kept.paths) return;
+  kept.paths = paths;
   scene::Scene made;
   if (paths) {
     for (const stage::PathLayer& path : *paths) stage::add_path(path, made);
   }
-  path_nodes_ = std::move(made.nodes);
+  kept.path_nodes = std::move(made.nodes);
 }
 
 stage::Pose3d ready_stage() {

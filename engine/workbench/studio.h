@@ -1,6 +1,7 @@
 /// Where pictures are made: the stage and a renderer, together in one thread.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,8 +26,13 @@ struct ViewRequest {
   scene::Camera camera;
   render::RenderOptions render;
   bool coarse = false;  ///< Something moves: a volume is marched through at a third of the resolution.
-  std::optional<stage::Pose3d>
-      beside;  ///< Another moment, in the right half of the picture; `pose` is in the left one.
+  /// What the right half of the picture shows, of the same camera; all else of the request is in the left one.
+  struct Beside {
+    stage::Pose3d pose;
+    std::shared_ptr<const std::vector<stage::PathLayer>> paths;
+    std::vector<stage::FieldLayer> fields;
+  };
+  std::optional<Beside> beside;
 };
 
 /// Threads: created, used and destroyed in one thread, which holds no other GL context.
@@ -41,21 +47,25 @@ class Studio {
   Studio(std::shared_ptr<const stage::Stage> stage, render::Renderer renderer)
       : stage_(std::move(stage)), renderer_(std::move(renderer)) {}
 
-  Result<Image> one_picture(const ViewRequest& request);
+  /// `half`: 0 the left one, or all; 1 the right one. What each showed last is kept.
+  Result<Image> one_picture(const ViewRequest& request, std::size_t half);
   /// With volumes, without labels.
-  Result<Image> drawn(const scene::Scene& scene, const ViewRequest& request);
-  void show_paths(const std::shared_ptr<const std::vector<stage::PathLayer>>& paths);
-  void show_fields(const std::vector<stage::FieldLayer>& fields);
+  Result<Image> drawn(const scene::Scene& scene, const ViewRequest& request, volume::Marcher& volumes);
+  /// The same paths and fields keep their meshes from picture to picture, so that they need not be made anew.
+  struct Kept {
+    std::shared_ptr<const std::vector<stage::PathLayer>> paths;
+    std::vector<scene::Node> path_nodes;
+    std::vector<stage::FieldLayer> fields;
+    scene::Scene field_scene;
+    volume::Marcher volumes;
+  };
+  void show_paths(const std::shared_ptr<const std::vector<stage::PathLayer>>& paths, Kept& kept) const;
+  void show_fields(const std::vector<stage::FieldLayer>& fields, Kept& kept) const;
 
   std::shared_ptr<const stage::Stage> stage_;
-  /// The same paths keep their meshes from picture to picture, so that where they are need not be drawn anew.
-  std::shared_ptr<const std::vector<stage::PathLayer>> paths_;
-  std::vector<scene::Node> path_nodes_;
-  std::vector<stage::FieldLayer> fields_;  ///< Likewise.
-  scene::Scene field_scene_;
+  std::array<Kept, 2> kept_;  ///< Of the halves.
   render::Renderer renderer_;
   stage::LabelPainter labels_;
-  volume::Marcher volumes_;
 };
 
 /// The scene before anything is recorded: arms at the ready pose, every block on its start peg.

@@ -23,9 +23,11 @@ std::vector<Rgba> outcome_colours() {
   return figure::category_colours(outcomes);
 }
 
-void add_ghosts(const ModelInsight& insight, std::vector<stage::PathLayer>& paths) {
+void add_ghosts(const ModelInsight& insight, bool of_second, std::vector<stage::PathLayer>& paths) {
   const std::vector<Rgba> colours = outcome_colours();
-  for (const learning::Rollout& rollout : insight.ghosts) {
+  const std::vector<learning::Rollout>& ghosts = of_second ? insight.second->ghosts : insight.ghosts;
+  const std::optional<learning::Rollout>& selected = of_second ? insight.second->selected : insight.selected;
+  for (const learning::Rollout& rollout : ghosts) {
     if (rollout.cells.size() < 2) continue;
     stage::PathLayer path;
     path.radius_m = 0.00025;
@@ -33,11 +35,11 @@ void add_ghosts(const ModelInsight& insight, std::vector<stage::PathLayer>& path
     for (const spatial::CellIndex cell : rollout.cells) path.points.push_back(insight.entry->model->grid.centre(cell));
     paths.push_back(std::move(path));
   }
-  if (!insight.selected || insight.selected->cells.size() < 2) return;
+  if (!selected || selected->cells.size() < 2) return;
   stage::PathLayer chosen;
   chosen.radius_m = 0.001;  // What stands out is thick, in the colour of its end as all others.
-  chosen.colours = {colours[static_cast<std::size_t>(insight.selected->end)]};
-  for (const spatial::CellIndex cell : insight.selected->cells) {
+  chosen.colours = {colours[static_cast<std::size_t>(selected->end)]};
+  for (const spatial::CellIndex cell : selected->cells) {
     chosen.points.push_back(insight.entry->model->grid.centre(cell));
   }
   paths.push_back(std::move(chosen));
@@ -86,6 +88,30 @@ demonstration::Sample sample_anywhere(const demonstration::Demonstration& shown,
   return shown.samples[after == 0 ? 0 : after - 1];
 }
 
+/// Two instants of a cut have the halves before two models have.
+bool shows_second(const WorkbenchState& state) {
+  return state.learning.second_in_view && !state.live && !state.edges && state.insight && state.insight->field &&
+         state.insight->second;
+}
+
+void add_fields(const WorkbenchState& state, ViewRequest& request) {
+  if (state.live || !state.insight || !state.insight->field) return;
+  const ModelInsight& insight = *state.insight;
+  if (shows_second(state)) request.beside = {request.pose, {}, {}};
+  if (!state.field.visible) return;
+  request.options.lattice_frame = true;
+  request.fields.push_back(field_layer(insight.field, state.field, {insight.entry->model, insight.policy}));
+  if (!shows_second(state)) {
+    if (request.beside) request.beside->fields = request.fields;
+    return;
+  }
+  const SecondModel& second = *insight.second;
+  const plot::Colouring shared = shared_colouring(*insight.field, *second.field, state.field);
+  request.fields.back().colouring = shared;
+  request.beside->fields.push_back(field_layer(second.field, state.field, {second.entry->model, second.policy}));
+  request.beside->fields.back().colouring = shared;
+}
+
 }  // namespace
 
 scene::Camera camera_of(const WorkbenchState& state) {
@@ -97,12 +123,13 @@ ViewDirector::ViewDirector()
         auto studio = std::make_shared<Result<Studio>>(Studio::create());
         auto paths = std::make_shared<PathMaker>();
         return [studio, paths](const Asked& asked) -> Answer {
-          if (!*studio) return {nullptr, studio->error().text(), {}};
+          if (!*studio) return {nullptr, studio->error().text(), {}, {}};
           ViewRequest request = asked.view;
           request.paths = paths->make(asked.paths);
+          if (request.beside) request.beside->paths = asked.beside ? paths->make(*asked.beside) : request.paths;
           Result<Image> image = (*studio)->picture(request);
-          if (!image) return {nullptr, image.error().text(), {}};
-          return {std::make_shared<const Image>(std::move(*image)), {}, asked.edges};
+          if (!image) return {nullptr, image.error().text(), {}, {}};
+          return {std::make_shared<const Image>(std::move(*image)), {}, asked.edges, asked.models};
         };
       }) {}
 
@@ -123,7 +150,13 @@ bool ViewDirector::poll(WorkbenchState& state, double now_s) {
     request.render.samples = coarse_ ? 1 : 4;
     request.render.soft_shadows = !coarse_;
     request.coarse = coarse_;
-    worker_.request({std::move(request), paths_of(state), wanted.edges});
+    Asked asked{std::move(request), paths_of(state), wanted.edges, {}, {}};
+    if (shows_second(state)) {
+      asked.models = {state.insight->entry->name, state.insight->second->entry->name};
+      if (asked.paths.rollouts) asked.beside = asked.paths;
+      if (asked.beside) asked.beside->of_second = true;
+    }
+    worker_.request(std::move(asked));
     requested_ = wanted;
     requested_at_s_ = now_s;
   }
@@ -133,6 +166,7 @@ bool ViewDirector::poll(WorkbenchState& state, double now_s) {
     if (answer.image) {
       state.picture = answer.image;
       state.picture_edges = answer.edges;
+      state.picture_models = answer.models;
       ++state.picture_number;
     }
     state.picture_error = answer.error;
@@ -152,6 +186,7 @@ ViewDirector::Shown ViewDirector::shown_by(const WorkbenchState& state) const {
   if (!state.live && shown.demonstration != nullptr) shown.edges = state.edges;
   shown.insight = state.insight.get();
   shown.comparison = drawn_comparison(state).get();
+  shown.second = shows_second(state);
   shown.field = state.field;
   shown.rollouts = state.rollouts;
   shown.X_WC = camera_of(state).X_WC.matrix();
@@ -171,15 +206,12 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) const {
   } else if (demonstration && !demonstration->gated().empty()) {
     request.pose = stage::pose_of(state.edges ? sample_anywhere(*demonstration, state.edges->begin_s)
                                               : demonstration->sample_at(state.playhead_s));
-    if (state.edges) request.beside = stage::pose_of(sample_anywhere(*demonstration, state.edges->end_s));
+    if (state.edges) request.beside = {stage::pose_of(sample_anywhere(*demonstration, state.edges->end_s)), {}, {}};
     request.options.highlighted_block = demonstration->recording->provenance.block;
   } else {
     request.pose = ready_;
   }
-  if (!state.live && state.insight && state.insight->field && state.field.visible) {
-    request.fields.push_back(field_layer(state.insight->field, state.field, {state.insight->entry->model, state.insight->policy}));
-    request.options.lattice_frame = true;
-  }
+  add_fields(state, request);
   request.camera = camera_of(state);
   request.options.light_ground = state.light_backdrop;
   request.render.width = width_;
@@ -189,7 +221,8 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) const {
 
 bool PathMaker::Kept::is_of(const PathsRequest& request) const {
   return same_object(shown, request.shown) && same_object(before, request.before) &&
-         same_object(comparison, request.comparison) && same_object(rollouts, request.rollouts);
+         same_object(comparison, request.comparison) && same_object(rollouts, request.rollouts) &&
+         of_second == request.of_second;
 }
 
 std::shared_ptr<const std::vector<stage::PathLayer>> PathMaker::make(const PathsRequest& request) {
@@ -209,8 +242,9 @@ std::shared_ptr<const std::vector<stage::PathLayer>> PathMaker::make(const Paths
       add_ghost_of(*request.before, *paths);
     }
   }
-  if (request.rollouts) add_ghosts(*request.rollouts, *paths);
-  kept_.push_front({request.shown, request.before, request.comparison, request.rollouts, std::move(paths)});
+  if (request.rollouts) add_ghosts(*request.rollouts, request.of_second, *paths);
+  kept_.push_front(
+      {request.shown, request.before, request.comparison, request.rollouts, request.of_second, std::move(paths)});
   if (kept_.size() > kKeptPaths) kept_.pop_back();
   return kept_.front().paths;
 }

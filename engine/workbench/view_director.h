@@ -1,6 +1,7 @@
 /// Decides what the 3-D view shows and how finely, and has the picture thread draw it.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -18,7 +19,8 @@ struct PathsRequest {
   std::shared_ptr<const demonstration::Demonstration> shown;   ///< Null: none is.
   std::shared_ptr<const demonstration::Demonstration> before;  ///< Of the edit that is being made; null without one.
   std::shared_ptr<const ComparisonView> comparison;            ///< That is drawn, if one is.
-  std::shared_ptr<const ModelInsight> rollouts;                ///< Whose rollouts are drawn, if any are.
+  std::shared_ptr<const ModelInsight> rollouts;                ///< Whose rollouts are drawn, if any are …
+  bool of_second = false;                                      ///< … those of its second model.
 };
 
 /// So many versions are remembered, for undo and redo.
@@ -38,6 +40,7 @@ class PathMaker {
     std::weak_ptr<const demonstration::Demonstration> before;
     std::weak_ptr<const ComparisonView> comparison;
     std::weak_ptr<const ModelInsight> rollouts;
+    bool of_second = false;
     Paths paths;
     bool is_of(const PathsRequest& request) const;
   };
@@ -63,7 +66,8 @@ class ViewDirector {
   struct Answer {
     std::shared_ptr<const Image> image;
     std::string error;
-    std::optional<TimeSpan> edges;  ///< What it shows.
+    std::optional<TimeSpan> edges;                     ///< What it shows …
+    std::optional<std::array<std::string, 2>> models;  ///< … and of which models.
   };
   /// What a picture was made of, to tell whether a new one is needed.
   struct Shown {
@@ -72,6 +76,7 @@ class ViewDirector {
     std::optional<TimeSpan> edges;
     const void* insight = nullptr;
     const void* comparison = nullptr;  ///< Null where it is not drawn.
+    bool second = false;               ///< The second model, too.
     FieldSettings field;
     RolloutSettings rollouts;
     Eigen::Matrix4d X_WC = Eigen::Matrix4d::Zero();
@@ -95,6 +100,8 @@ class ViewDirector {
     ViewRequest view;  ///< Without paths.
     PathsRequest paths;
     std::optional<TimeSpan> edges;
+    std::optional<PathsRequest> beside;  ///< Of the right half, where it has other models.
+    std::optional<std::array<std::string, 2>> models;
   };
   LatestWorker<Asked, Answer> worker_;
 };

@@ -16,6 +16,7 @@ Workbench::Impl::Impl(Options options_in)
         auto maker = std::make_shared<InsightMaker>();
         return [maker](const InsightRequest& request) { return maker->make(request); };
       }),
+      seeds([] { return seed_insight; }),
       preview([] { return [](const PreviewRequest& request) { return preview_of(request); }; }),
       review([distances = distances] {
         auto maker = std::make_shared<ReviewMaker>(distances);
@@ -226,6 +227,7 @@ bool Workbench::Impl::poll() {
   follow_preview_review();
   follow_curves();
   follow_comparison();
+  follow_seeds();
   follow_library();
   follow_batch();
   sketch_history();
@@ -251,8 +253,8 @@ bool Workbench::busy() const {
          impl_->editing.busy() || (impl_->recording && !impl_->recording->waits()) || impl_->state.play_speed != 0.0 ||
          impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() ||
          impl_->preview_review.pending() || impl_->curves.pending() || impl_->comparison.pending() ||
-         impl_->state.library_pending || impl_->state.batch_pending || !impl_->sketches_wanted.empty() ||
-         impl_->filmstrip.busy() || (impl_->view && impl_->view->busy());
+         impl_->seeds.pending() || impl_->state.library_pending || impl_->state.batch_pending ||
+         !impl_->sketches_wanted.empty() || impl_->filmstrip.busy() || (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

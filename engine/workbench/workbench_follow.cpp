@@ -62,6 +62,24 @@ void Workbench::Impl::follow_comparison() {
   state.comparison_pending = comparison.pending();
 }
 
+void Workbench::Impl::follow_seeds() {
+  SeedRequest wanted;
+  wanted.count = state.learning.seeds;
+  wanted.layer = state.field.layer;
+  if (wanted.count > 0) wanted.entry = model(state.model);
+  const bool same =
+      wanted.entry == seeds_wanted.entry && wanted.layer == seeds_wanted.layer && wanted.count == seeds_wanted.count;
+  if (!same) {
+    seeds_wanted = wanted;
+    seeds.request(std::move(wanted));
+  }
+  if (seeds.update()) {
+    state.seeds = seeds.answer();
+    dirty = true;
+  }
+  state.seeds_pending = seeds.pending();
+}
+
 void Workbench::Impl::on(const ShowCurves& command) {
   dirty = dirty || state.curve_kinds != command.kinds;
   state.curve_kinds = command.kinds;

@@ -103,6 +103,7 @@ struct Workbench::Impl {
   /// Ask for what the state has come to need, and take in what is ready.
   void follow_curves();
   void follow_comparison();
+  void follow_seeds();
   void follow_library();
   void follow_batch();
   /// What a replay found is kept with the project that it is of, even if another is open by now.
@@ -156,6 +157,8 @@ struct Workbench::Impl {
   /// What review, its preview, curves and library work out once for all of them.
   std::shared_ptr<review::ClearanceStore> distances = std::make_shared<review::ClearanceStore>();
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
+  LatestWorker<SeedRequest, std::shared_ptr<const SeedInsight>> seeds;
+  SeedRequest seeds_wanted;
   LatestWorker<PreviewRequest, std::shared_ptr<const EditPreview>> preview;
   LatestWorker<ReviewRequest, std::shared_ptr<const ReviewView>> review;
   ReviewRequest review_wanted;

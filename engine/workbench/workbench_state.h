@@ -25,6 +25,7 @@
 #include "engine/workbench/project_file.h"
 #include "engine/workbench/reviewing.h"
 #include "engine/workbench/rolling.h"
+#include "engine/workbench/seed_insight.h"
 #include "engine/workbench/take_view.h"
 
 namespace trocar::workbench {
@@ -104,6 +105,8 @@ struct WorkbenchState {
   LearningSettings learning;
   std::shared_ptr<const ModelInsight> insight;  ///< Of the selected model; null until worked out.
   bool insight_pending = false;
+  std::shared_ptr<const SeedInsight> seeds;  ///< Of `learning.seeds`; null until worked out.
+  bool seeds_pending = false;
   /// The last ones; of another model or other starts than are shown now, if they say so.
   std::shared_ptr<const MonteCarloView> monte_carlo;
   std::shared_ptr<const PhysicsView> physics;
@@ -120,6 +123,7 @@ struct WorkbenchState {
   std::uint64_t picture_number = 0;      ///< Changes with each new picture.
   bool picture_pending = false;
   std::optional<TimeSpan> picture_edges;  ///< The instants that it shows, left and right half; nothing: one alone.
+  std::optional<std::array<std::string, 2>> picture_models;  ///< The names of those in its halves; nothing: one alone.
   std::string picture_error;
   bool light_backdrop = false;
   /// What `ShowFilmstrip` asked for; null until then, and while something is recorded.

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/figure/field_figure.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/colour_legend.h"
 #include "ui/panels/common.h"
 #include "ui/panels/comparison_table.h"
+#include "ui/panels/model_slice.h"
 #include "ui/panels/model_state.h"
 
 namespace trocar::ui {
@@ -20,32 +20,9 @@ using workbench::Command;
 using workbench::ModelId;
 
 constexpr double kBlink_s = 0.7;
-
-/// Both fields on the scale of the two together, so that a colour means one value.
-plot::Colouring shared_colouring(const learning::Field& a, const learning::Field& b,
-                                 const workbench::FieldSettings& settings) {
-  learning::Field both = a;
-  both.values.insert(both.values.end(), b.values.begin(), b.values.end());
-  return workbench::colouring_of(both, settings);
-}
-
-void draw_square(Ui& ui, const std::string& key, const Image& picture, std::uint64_t version, const Rect& rect,
-                 float from = 0.0F, float to = 1.0F) {
-  const ImTextureID texture = ui.textures().texture(key, picture, version, Sampling::kNearest);
-  const float x0 = rect.x0 + from * rect.width();
-  const float x1 = rect.x0 + to * rect.width();
-  ImGui::GetWindowDrawList()->AddImage(texture, {x0, rect.y0}, {x1, rect.y1}, {from, 0.0F}, {to, 1.0F});
-}
+constexpr int kSeeds = 10;  ///< As many as are studied at first.
 
 }  // namespace
-
-int ModelsPanel::index(const WorkbenchState& state) const {
-  const spatial::Grid& grid = state.insight->field->grid;
-  const int chosen = state.field.slices[static_cast<std::size_t>(axis_)];
-  const spatial::CellCoordinates goal = grid.coordinates(state.insight->entry->model->goal);
-  const int of_goal = axis_ == 0 ? goal.x : axis_ == 1 ? goal.y : goal.z;
-  return std::clamp(chosen >= 0 ? chosen : of_goal, 0, grid.n - 1);
-}
 
 void ModelsPanel::draw_choice(Ui& ui, const WorkbenchState& state, Requests& requests) {
   std::vector<std::string> names;
@@ -65,6 +42,15 @@ void ModelsPanel::draw_choice(Ui& ui, const WorkbenchState& state, Requests& req
   if (combo(ui, "Model A", a, names, {.help = "The selected model"})) {
     requests.emplace_back(Command{workbench::SelectModel{ids[static_cast<std::size_t>(a)]}});
   }
+  form_label(ui, "Beside it");
+  static const std::vector<std::string> kBeside{"Another model", "Other seeds"};
+  int beside = state.learning.seeds > 0 ? 1 : 0;
+  if (segmented(ui, "Beside it", beside, kBeside, {.help = "What the model is compared with"})) {
+    workbench::LearningSettings settings = state.learning;
+    settings.seeds = beside == 1 ? kSeeds : 0;
+    requests.emplace_back(Command{workbench::SetLearning{settings}});
+  }
+  if (beside == 1) return;
   form_label(ui, "Model B");
   int b = state.learning.second.value == 0 ? 0 : place(state.learning.second) + 1;
   if (b > static_cast<int>(ids.size())) b = 0;
@@ -73,34 +59,6 @@ void ModelsPanel::draw_choice(Ui& ui, const WorkbenchState& state, Requests& req
     settings.second = b == 0 ? ModelId{} : ids[static_cast<std::size_t>(b - 1)];
     requests.emplace_back(Command{workbench::SetLearning{settings}});
   }
-}
-
-void ModelsPanel::take_wheel(const WorkbenchState& state, Requests& requests) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (!ImGui::IsItemHovered() || io.MouseWheel == 0.0F) return;
-  workbench::FieldSettings settings = state.field;
-  const int n = state.insight->field->grid.n;
-  settings.slices[static_cast<std::size_t>(axis_)] =
-      std::clamp(index(state) + (io.MouseWheel > 0.0F ? 1 : -1), 0, n - 1);
-  requests.emplace_back(Command{workbench::SetField{settings}});
-}
-
-void ModelsPanel::draw_slice(Ui& ui, const WorkbenchState& state, std::string_view label, const FieldShading& shading,
-                             Image& picture, float side, Requests& requests) {
-  ImGui::BeginGroup();
-  small_text(ui, label, ui.theme().text_dim);
-  const std::string words = fmt::format("{} = {}", "xyz"[axis_], index(state));
-  canvas(ui, label, {side, side}, words, {.help = "The wheel steps through the slices of both"});
-  const Rect rect = item_rect();
-  take_wheel(state, requests);
-  draw_hatch(ui, rect);
-  picture = figure::slice_pixels(shading.field(), figure::Slice{axis_, index(state)}, shading.colouring());
-  // Told apart by what they show, not by a number of versions: the two are made anew for one scale.
-  draw_square(
-      ui, fmt::format("model {}", label), picture,
-      shading.revision() * 1000 + static_cast<std::uint64_t>(index(state)) * 3 + static_cast<std::uint64_t>(axis_),
-      rect);
-  ImGui::EndGroup();
 }
 
 void ModelsPanel::draw_swipe(Ui& ui, const WorkbenchState& state, float side) {
@@ -114,16 +72,11 @@ void ModelsPanel::draw_swipe(Ui& ui, const WorkbenchState& state, float side) {
     swipe_ = std::clamp((ImGui::GetIO().MousePos.x - rect.x0) / std::max(rect.width(), 1.0F), 0.0F, 1.0F);
   }
   draw_hatch(ui, rect);
-  const figure::Slice slice{axis_, index(state)};
   const float border = blink ? (b_in_front_ ? 0.0F : 1.0F) : swipe_;
   for (std::size_t i = 0; i < 2; ++i) {
-    const FieldShading& shading = shadings_[i];
-    const Image picture = figure::slice_pixels(shading.field(), slice, shading.colouring());
-    const std::uint64_t version =
-        shading.revision() * 1000 + static_cast<std::uint64_t>(slice.index) * 3 + static_cast<std::uint64_t>(axis_);
     const float from = i == 0 ? 0.0F : border;
     const float to = i == 0 ? border : 1.0F;
-    if (to > from) draw_square(ui, fmt::format("swipe {}", i), picture, version, rect, from, to);
+    if (to > from) paint_model_slice(ui, state, shadings_[i], i == 0 ? "A" : "B", axis_, rect, from, to);
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (!blink) {
@@ -152,7 +105,7 @@ void ModelsPanel::draw_shared_legend(Ui& ui, const WorkbenchState& state, Reques
 void ModelsPanel::draw_pictures(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const workbench::ModelInsight& insight = *state.insight;
   const workbench::SecondModel& second = *insight.second;
-  const plot::Colouring shared = shared_colouring(*insight.field, *second.field, state.field);
+  const plot::Colouring shared = workbench::shared_colouring(*insight.field, *second.field, state.field);
   shadings_[0].update(insight.field, state.field, shared);
   shadings_[1].update(second.field, state.field, shared);
   workbench::FieldSettings of_change = state.field;
@@ -168,12 +121,13 @@ void ModelsPanel::draw_pictures(Ui& ui, const WorkbenchState& state, Requests& r
   const float room = ImGui::GetContentRegionAvail().x;
   const float gap = ui.px(10);
   const float most = ui.px(340);
-  Image picture;
   if (mode_ == Mode::kSideBySide) {
     const float side = std::min(0.5F * (room - gap), most);
-    draw_slice(ui, state, "A", shadings_[0], picture, side, requests);
+    const std::string title_a = "A  " + insight.entry->name;
+    const std::string title_b = "B  " + second.entry->name;
+    draw_model_slice(ui, state, shadings_[0], {"A", title_a, axis_, side}, requests);
     ImGui::SameLine(0.0F, gap);
-    draw_slice(ui, state, "B", shadings_[1], picture, side, requests);
+    draw_model_slice(ui, state, shadings_[1], {"B", title_b, axis_, side}, requests);
     draw_shared_legend(ui, state, requests);
     return;
   }
@@ -183,13 +137,18 @@ void ModelsPanel::draw_pictures(Ui& ui, const WorkbenchState& state, Requests& r
     draw_shared_legend(ui, state, requests);
     return;
   }
-  draw_slice(ui, state, "B against A", shadings_[2], picture, side, requests);
+  draw_model_slice(ui, state, shadings_[2], {"B against A", "B against A", axis_, side}, requests);
   colour_legend(ui, shadings_[2], NAN, {});
+}
+
+void ModelsPanel::draw_axis(Ui& ui) {
+  static const std::vector<std::string> kAxes{"x", "y", "z"};
+  form_label(ui, "Across");
+  segmented(ui, "Across", axis_, kAxes, {.help = "Which axis the slices are cut across"});
 }
 
 Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {
   static const std::vector<std::string> kModes{"Side by side", "Swipe", "Blink", "Difference", "Policy", "Outcomes"};
-  static const std::vector<std::string> kAxes{"x", "y", "z"};
   Requests requests;
   if (draw_no_project(ui, state, requests)) return requests;
   if (state.project->models.empty() || !state.insight || state.insight->entry == nullptr) {
@@ -203,6 +162,11 @@ Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {
   }
   draw_choice(ui, state, requests);
   draw_model_state(ui, state, requests);
+  if (state.learning.seeds > 0) {
+    draw_axis(ui);
+    seed_page_.draw(ui, state, axis_, requests);
+    return requests;
+  }
   if (!state.insight->second_error.empty()) {
     wrapped_text(ui, state.insight->second_error, ui.theme().warning);
     return requests;
@@ -215,8 +179,15 @@ Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (segmented(ui, "Mode", mode, kModes, {.help = "How the two are laid beside or over each other"})) {
     mode_ = static_cast<Mode>(mode);
   }
-  form_label(ui, "Across");
-  segmented(ui, "Across", axis_, kAxes, {.help = "Which axis the slices are cut across"});
+  draw_axis(ui);
+  form_label(ui, "3-D view");
+  bool in_view = state.learning.second_in_view;
+  if (checkbox(ui, "Both models", in_view,
+               {.help = "A in the left half of the view, B in the right one, seen alike"})) {
+    workbench::LearningSettings settings = state.learning;
+    settings.second_in_view = in_view;
+    requests.emplace_back(Command{workbench::SetLearning{settings}});
+  }
   if (mode_ == Mode::kBlink) {
     ui.animate();
     const double now_s = ImGui::GetTime();

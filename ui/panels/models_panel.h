@@ -6,6 +6,7 @@
 
 #include "ui/panel.h"
 #include "ui/panels/field_shading.h"
+#include "ui/panels/seed_page.h"
 
 namespace trocar::ui {
 
@@ -18,19 +19,17 @@ class ModelsPanel final : public Panel {
   enum class Mode { kSideBySide, kSwipe, kBlink, kDifference, kPolicy, kOutcomes };
   void draw_choice(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_pictures(Ui& ui, const WorkbenchState& state, Requests& requests);
-  void draw_slice(Ui& ui, const WorkbenchState& state, std::string_view label, const FieldShading& shading,
-                  Image& picture, float side, Requests& requests);
+  void draw_axis(Ui& ui);
   /// A and B in one square, the border between them dragged with the mouse.
   void draw_swipe(Ui& ui, const WorkbenchState& state, float side);
   void draw_shared_legend(Ui& ui, const WorkbenchState& state, Requests& requests);
-  void take_wheel(const WorkbenchState& state, Requests& requests);
-  int index(const WorkbenchState& state) const;
 
   Mode mode_ = Mode::kSideBySide;
   int axis_ = 2;
   float swipe_ = 0.5F;
   bool b_in_front_ = false;
   double blinked_s_ = 0.0;
+  SeedPage seed_page_;
   std::array<FieldShading, 3> shadings_;  ///< A, B, and what compares them.
 };
 

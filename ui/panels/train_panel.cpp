@@ -93,7 +93,7 @@ void TrainPanel::draw_method(Ui& ui) {
   }
   form_label(ui, "Method");
   int method = static_cast<int>(options_.method);
-  if (segmented(ui, "Method", method, kMethodNames, {.help = method_help(method)})) {
+  if (combo(ui, "Method", method, kMethodNames, {.help = method_help(method)})) {
     options_.method = kMethods[static_cast<std::size_t>(method)];
   }
   wrapped_text(ui, method_help(method), ui.theme().text_dim);
@@ -223,7 +223,7 @@ Requests TrainPanel::draw(Ui& ui, const WorkbenchState& state) {
     }
     return requests;
   }
-  heading(ui, "Method");
+  heading(ui, "Learn by");
   draw_method(ui);
   draw_parameters(ui);
   ImGui::Dummy({0.0F, ui.px(2)});

@@ -181,19 +181,27 @@ void ViewPanel::draw_picture(Ui& ui, const WorkbenchState& state, const Rect& re
 }
 
 // What the halves of the picture are of.
-void ViewPanel::draw_edges(Ui& ui, const workbench::TimeSpan& edges, const Rect& rect) const {
+void ViewPanel::draw_halves(Ui& ui, const WorkbenchState& state, const Rect& rect) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddLine({rect.centre_x(), rect.y0}, {rect.centre_x(), rect.y1}, to_u32(ui.theme().line), ui.px(2));
   const FontScope font(ui.fonts().strong);
   for (const bool left : {true, false}) {
-    const std::string words = fmt::format("{} {}", left ? "Begin" : "End", seconds(left ? edges.begin_s : edges.end_s));
+    std::string words;
+    std::string name;
+    if (state.picture_models) {
+      words = fmt::format("{}  {}", left ? "A" : "B", (*state.picture_models)[left ? 0 : 1]);
+      name = left ? "Model of the left half" : "Model of the right half";
+    } else {
+      const workbench::TimeSpan& edges = *state.picture_edges;
+      words = fmt::format("{} {}", left ? "Begin" : "End", seconds(left ? edges.begin_s : edges.end_s));
+      name = left ? "Begin of the cut" : "End of the cut";
+    }
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     const float middle = left ? 0.5F * (rect.x0 + rect.centre_x()) : 0.5F * (rect.centre_x() + rect.x1);
     const ImVec2 at{std::round(middle - 0.5F * size.x), rect.y1 - size.y - ui.px(20)};
     ground(ui, {at.x - ui.px(10), at.y - ui.px(5)}, {at.x + size.x + ui.px(10), at.y + size.y + ui.px(5)});
     list.AddText(at, to_u32(ui.theme().text), words.c_str());
-    note_rect(ui, "text", left ? "Begin of the cut" : "End of the cut", words,
-              {at.x, at.y, at.x + size.x, at.y + size.y});
+    note_rect(ui, "text", name, words, {at.x, at.y, at.x + size.x, at.y + size.y});
   }
 }
 
@@ -237,15 +245,19 @@ Requests ViewPanel::draw(Ui& ui, const WorkbenchState& state) {
                               {.help = "Drag to turn, right or middle drag (or Shift) to shift, wheel to zoom"});
   ImGui::SetItemAllowOverlap();
   const Rect rect = item_rect();
-  const ViewPort port{shown_camera(state), rect};
-  const bool taken =
-      take_.take_mouse(ui, state, port, hovered, requests) || gizmo_.take_mouse(ui, state, port, hovered, requests);
+  const bool halves = state.picture_edges || state.picture_models;
+  ViewPort port{shown_camera(state), rect};
+  if (halves) port.rect.x1 = rect.centre_x();
+  bool taken = take_.take_mouse(ui, state, port, hovered, requests);
+  // Handles of a tool belong to one picture; slices are the same in both halves.
+  if (!taken && !halves) taken = gizmo_.take_mouse(ui, state, port, hovered, requests);
+  if (!taken && !state.picture_edges) taken = slices_.take_mouse(ui, state, port, hovered, requests);
   if (!taken) take_mouse(ui, state, hovered, requests);
   draw_picture(ui, state, rect);
   const ImVec2 after = ImGui::GetCursorPos();
-  // Handles belong to one picture.
-  if (state.picture_edges) {
-    draw_edges(ui, *state.picture_edges, rect);
+  if (!state.picture_edges) slices_.draw(ui, state, port);
+  if (halves) {
+    draw_halves(ui, state, rect);
   } else {
     gizmo_.draw(ui, state, port);
     take_.draw_marks(ui, state, port);

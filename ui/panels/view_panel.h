@@ -8,6 +8,7 @@
 #include "ui/panels/gizmo_bar.h"
 #include "ui/panels/gizmo_overlay.h"
 #include "ui/panels/review_bar.h"
+#include "ui/panels/slice_overlay.h"
 #include "ui/panels/take_overlay.h"
 
 namespace trocar::ui {
@@ -20,12 +21,13 @@ class ViewPanel final : public Panel {
   void follow_size(ImVec2 size, Requests& requests);
   void take_mouse(Ui& ui, const WorkbenchState& state, bool hovered, Requests& requests);
   void draw_picture(Ui& ui, const WorkbenchState& state, const Rect& rect) const;
-  void draw_edges(Ui& ui, const workbench::TimeSpan& edges, const Rect& rect) const;
+  void draw_halves(Ui& ui, const WorkbenchState& state, const Rect& rect) const;
   void draw_overlays(Ui& ui, const WorkbenchState& state, const Rect& rect, Requests& requests);
 
   GizmoBar gizmo_bar_;
   ReviewBar review_bar_;
   GizmoOverlay gizmo_;
+  SliceOverlay slices_;
   TakeOverlay take_;
   int asked_width_ = 0;
   int asked_height_ = 0;

@@ -60,20 +60,26 @@ std::vector<double> random_reward(std::size_t count, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("V of an exact model is log Z of a dense linear solve on 5³, inside and outside of the safe set") {
-  const spatial::Grid grid = spatial::Grid::with_cells(5);
-  Progress progress;
-  const Model model = train(grid, untrained(5).experts, exact_options(), progress).value();
-  REQUIRE(model.safe.count() < 125);
-  const Eigen::VectorXd partition = dense_partition(model);
-  for (int cell = 0; cell < 125; ++cell) {
-    CHECK(model.value[static_cast<std::size_t>(cell)] ==
-          doctest::Approx(std::log(partition[cell])).epsilon(1e-9).scale(1.0));
+TEST_CASE("V of an exact model is log Z of a dense linear solve on 5³ and 7³, inside and outside of the safe set") {
+  for (const int cells : {5, 7}) {
+    CAPTURE(cells);
+    const spatial::Grid grid = spatial::Grid::with_cells(cells);
+    Progress progress;
+    const Model model = train(grid, untrained(cells).experts, exact_options(), progress).value();
+    REQUIRE(model.safe.count() < grid.cell_count());
+    const Eigen::VectorXd partition = dense_partition(model);
+    for (int cell = 0; cell < grid.cell_count(); ++cell) {
+      CHECK(model.value[static_cast<std::size_t>(cell)] ==
+            doctest::Approx(std::log(partition[cell])).epsilon(1e-9).scale(1.0));
+    }
   }
 }
 
-TEST_CASE("expected visits are those of a dense linear solve on 5³") {
-  Model model = untrained(5);
+namespace {
+
+void check_visits(int cells) {
+  Model model = untrained(cells);
+  const int count = model.grid.cell_count();
   const std::vector<double> guess(model.theta.size(), -3.0);
   MaxentObjective objective(model, guess);
   const MaxentRegion& region = objective.region();
@@ -81,23 +87,31 @@ TEST_CASE("expected visits are those of a dense linear solve on 5³") {
   std::vector<double> gradient(region.count());
   objective.evaluate(theta, gradient, 1e-13);
 
-  model.theta.assign(125, -3.0);  // outside of the safe set any contraction will do: no path goes there
-  Eigen::VectorXd starts = Eigen::VectorXd::Zero(125);
+  model.theta.assign(static_cast<std::size_t>(count),
+                     -3.0);  // outside of the safe set any contraction will do: no path goes there
+  Eigen::VectorXd starts = Eigen::VectorXd::Zero(count);
   for (std::size_t i = 0; i < region.count(); ++i) {
     model.theta[static_cast<std::size_t>(region.cells()[i])] = theta[i];
     starts[region.cells()[i]] = objective.starts()[i];
   }
   const Eigen::VectorXd partition = dense_partition(model);
   Eigen::MatrixXd policy = transitions(model);
-  for (int s = 0; s < 125; ++s) {
-    for (int t = 0; t < 125; ++t) policy(s, t) *= partition[t] / partition[s];
+  for (int s = 0; s < count; ++s) {
+    for (int t = 0; t < count; ++t) policy(s, t) *= partition[t] / partition[s];
   }
-  const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(125, 125) - policy.transpose();
+  const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(count, count) - policy.transpose();
   const Eigen::VectorXd visits = system.partialPivLu().solve(starts);
   for (std::size_t i = 0; i < region.count(); ++i) {
     CHECK(region.visits()[i] == doctest::Approx(visits[region.cells()[i]]).epsilon(1e-9).scale(1.0));
   }
   CHECK(region.visits()[0] == doctest::Approx(1.0).epsilon(1e-9));  // every path arrives once
+}
+
+}  // namespace
+
+TEST_CASE("expected visits are those of a dense linear solve on 5³ and 7³") {
+  check_visits(5);
+  check_visits(7);
 }
 
 TEST_CASE("the gradient is that of finite differences") {

@@ -67,6 +67,46 @@ TEST_CASE("the second model is chosen, and taken back") {
   CHECK(desk.last<workbench::SetLearning>()->settings.second.value == 0);
 }
 
+TEST_CASE("both models are asked for in the view, whose halves then say whose they are") {
+  Desk desk(with_two_models());
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+3"));
+  CHECK(driver.frames(3));
+  CHECK(text_of(driver.click("Tabs/Models")) == "");
+  CHECK(text_of(driver.click("Models/Both models")) == "");
+  REQUIRE(desk.last<workbench::SetLearning>() != nullptr);
+  CHECK(desk.last<workbench::SetLearning>()->settings.second_in_view);
+  desk.state.picture_models = {"exact A", "paper A"};
+  CHECK(driver.frames(3));
+  CHECK(text_of(driver.expect_value("View/Model of the left half", "A  exact A")) == "");
+  CHECK(text_of(driver.expect_value("View/Model of the right half", "B  paper A")) == "");
+}
+
+TEST_CASE("other seeds stand beside a model with their mean, spread, table and what they say of section V.A") {
+  workbench::WorkbenchState state = with_two_models();
+  auto paper = std::make_shared<workbench::ModelEntry>(*state.project->models.at({4}));
+  state.learning.seeds = 3;
+  state.seeds = workbench::seed_insight({paper, learning::Layer::kReward, 3});
+  for (const float scale : {0.75F, 1.0F, 2.0F}) {
+    CAPTURE(scale);
+    Desk desk(state, scale);
+    Driver driver = desk.driver();
+    CHECK(driver.key("Ctrl+3"));
+    CHECK(driver.frames(3));
+    CHECK(text_of(driver.click("Tabs/Models")) == "");
+    CHECK(driver.frames(3));
+    for (std::size_t i = 0; i < state.seeds->findings.size(); ++i) {
+      CHECK(text_of(driver.expect_value("Models/Findings/" + std::to_string(i + 1), state.seeds->findings[i])) == "");
+    }
+    const auto& second = state.seeds->seeds[1];
+    const Item* row = desk.session->items().find("Models/Seeds/" + std::to_string(second.seed));
+    REQUIRE(row != nullptr);
+    CHECK(row->value.find(std::to_string(second.exploration.fully_explored % 1000)) != std::string::npos);
+    CHECK(text_of(driver.click("Models/Beside it/Another model")) == "");
+    CHECK(desk.last<workbench::SetLearning>()->settings.seeds == 0);
+  }
+}
+
 TEST_CASE("a preset fills in the parameters, and every one of them is trained with") {
   Desk desk(testing::made_state_with_model());
   Driver driver = desk.driver();
