@@ -51,7 +51,8 @@ std::string millimetres(double metres) {
 std::string percent(std::int64_t part, std::int64_t whole) {
   if (whole <= 0) return "–";
   const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-  const bool plain = share >= 10.0 || share == std::floor(share);
+  // What is not all is not called 100 %.
+  const bool plain = (share >= 10.0 && share < 99.5) || share == std::floor(share);
   return fmt::format("{:.{}f} %", share, plain ? 0 : 1);
 }
 

@@ -118,7 +118,9 @@ double share(const RolloutSummary& summary) {
 }
 
 std::string percent(double ratio) {
-  return fmt::format("{:+.0f} %", 100.0 * ratio);
+  const double share = std::round(100.0 * ratio);
+  if (share == 0.0) return "0 %";
+  return fmt::format("{}{:.0f} %", share < 0.0 ? "\u2212" : "+", std::abs(share));
 }
 
 }  // namespace

@@ -174,6 +174,34 @@ void drop_bad_table(Driver& driver, WorkbenchState& state) {
   state.import = std::make_shared<const workbench::ImportView>(std::move(view));
 }
 
+Prepare open(const char* path) {
+  return [path](Driver& driver, WorkbenchState&) { REQUIRE(driver.click(path)); };
+}
+
+/// Other seeds beside the model of the paper.
+WorkbenchState with_seeds() {
+  WorkbenchState state = testing::made_state_with_two_models();
+  workbench::InsightRequest request;
+  request.entry = state.project->models.at({4});
+  state.model = {4};
+  state.insight = workbench::InsightMaker().make(request);
+  state.learning.seeds = 5;
+  state.seeds = workbench::seed_insight({request.entry, learning::Layer::kReward, 5});
+  return state;
+}
+
+/// Of the model of the paper, from which not every start arrives, beside the exact one.
+WorkbenchState with_failures() {
+  WorkbenchState state = testing::made_state_with_two_models();
+  workbench::InsightRequest request;
+  request.entry = state.project->models.at({4});
+  request.second = state.project->models.at({3});
+  state.model = {4};
+  state.learning.second = {3};
+  state.insight = workbench::InsightMaker().make(request);
+  return state;
+}
+
 void type_in_palette(Driver& driver, WorkbenchState&) {
   REQUIRE(driver.key("Ctrl+P"));
   REQUIRE(driver.frames(3));
@@ -192,7 +220,23 @@ std::vector<Scene> scenes() {
           {"take_countdown", PanelId::kView, testing::take_state(trial::Phase::kCountdown), {}},
           {"take_recording", PanelId::kView, testing::take_state(), {}},
           {"take_lanes", PanelId::kTimeline, testing::take_state(), {}, {640, 300}},
-          {"take_review", PanelId::kView, testing::verdict_state(), {}}};
+          {"take_review", PanelId::kView, testing::verdict_state(), {}},
+          {"models_two", PanelId::kModels, testing::made_state_with_two_models(), {}, {640, 1000}},
+          {"models_difference",
+           PanelId::kModels,
+           testing::made_state_with_two_models(),
+           open("Models/Mode/Difference"),
+           {640, 1000}},
+          {"models_seeds", PanelId::kModels, with_seeds(), {}, {640, 1120}},
+          {"fields_montage",
+           PanelId::kFields,
+           testing::made_state_with_two_models(),
+           open("Fields/Mode/Montage"),
+           {640, 900}},
+          {"rollouts_map", PanelId::kRollouts, with_failures(), {}, {640, 1100}},
+          {"rollouts_table", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Table"), {640, 900}},
+          {"rollouts_paths", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Paths"), {640, 1100}},
+          {"rollouts_pair", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Two models"), {640, 900}}};
 }
 
 }  // namespace

@@ -142,4 +142,26 @@ inline workbench::WorkbenchState made_state_with_model() {
   return state;
 }
 
+/// Models 3 ("exact A", selected) and 4 ("paper A"), which is the second.
+inline workbench::WorkbenchState made_state_with_two_models() {
+  workbench::WorkbenchState state = made_state_with_model();
+  auto project = std::make_shared<workbench::Project>(*state.project);
+  auto entry = std::make_shared<workbench::ModelEntry>(*project->models.at({3}));
+  entry->id = {4};
+  entry->name = "paper A";
+  learning::TrainOptions options;
+  options.episodes = 1000;
+  Progress progress;
+  entry->model = std::make_shared<const learning::Model>(
+      learning::train(spatial::Grid{}, {sample_demonstrations().front()}, options, progress).value());
+  project->models[entry->id] = entry;
+  state.project = project;
+  state.learning.second = {4};
+  workbench::InsightRequest request;
+  request.entry = project->models.at({3});
+  request.second = entry;
+  state.insight = workbench::InsightMaker().make(request);
+  return state;
+}
+
 }  // namespace trocar::testing

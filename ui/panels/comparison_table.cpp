@@ -38,14 +38,20 @@ Row shares(std::string name, int a, int of_a, int b, int of_b) {
   return {std::move(name), percent(a, of_a), percent(b, of_b), change};
 }
 
+/// A parameter of methods that draw at random.
+std::string drawn(const learning::Model& model, double value) {
+  return model.options.method == learning::Method::kExact ? "\u2013" : fmt::format("{:g}", value);
+}
+
 std::vector<Row> rows_of(const workbench::ModelInsight& insight) {
   const learning::ModelComparison& c = *insight.second->comparison;
   const learning::Model& model_a = *insight.entry->model;
   const learning::Model& model_b = *insight.second->entry->model;
   std::vector<Row> rows{{"Method", std::string(learning::to_string(model_a.options.method)),
                          std::string(learning::to_string(model_b.options.method)), ""},
-                        numbers("ε", model_a.options.epsilon, model_b.options.epsilon),
-                        {"Seed", fmt::format("{}", model_a.options.seed), fmt::format("{}", model_b.options.seed), ""},
+                        {"ε", drawn(model_a, model_a.options.epsilon), drawn(model_b, model_b.options.epsilon), ""},
+                        {"Seed", drawn(model_a, static_cast<double>(model_a.options.seed)),
+                         drawn(model_b, static_cast<double>(model_b.options.seed)), ""},
                         counts("Fully explored", c.a.exploration.fully_explored, c.b.exploration.fully_explored),
                         counts("Partly explored", c.a.exploration.partly_explored, c.b.exploration.partly_explored),
                         counts("Not explored", c.a.exploration.fully_unexplored, c.b.exploration.fully_unexplored),

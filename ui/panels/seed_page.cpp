@@ -91,8 +91,8 @@ void SeedPage::draw(Ui& ui, const WorkbenchState& state, int axis, Requests& req
   draw_fields(ui, state, axis, requests);
   const auto& study = state.seeds->exploration;
   heading(ui, fmt::format("Section V.A: ε = {:g} against ε = 0", study.epsilon));
-  const Scope scope(ui, "Findings");
   for (std::size_t i = 0; i < state.seeds->findings.size(); ++i) {
+    const Scope scope(ui, "Findings");
     wrapped_text(ui, state.seeds->findings[i], ui.theme().text);
     note_item(ui, "text", fmt::format("{}", i + 1), state.seeds->findings[i], {});
   }

@@ -8,34 +8,14 @@
 namespace trocar::ui {
 namespace {
 
-/// Models 3 ("exact A", selected) and 4 ("paper A"), which is the second.
-workbench::WorkbenchState with_two_models() {
-  workbench::WorkbenchState state = testing::made_state_with_model();
-  auto project = std::make_shared<workbench::Project>(*state.project);
-  auto entry = std::make_shared<workbench::ModelEntry>(*project->models.at({3}));
-  entry->id = {4};
-  entry->name = "paper A";
-  learning::TrainOptions options;
-  options.episodes = 1000;
-  Progress progress;
-  entry->model = std::make_shared<const learning::Model>(
-      learning::train(spatial::Grid{}, {testing::sample_demonstrations().front()}, options, progress).value());
-  project->models[entry->id] = entry;
-  state.project = project;
-  state.learning.second = {4};
-  workbench::InsightRequest request;
-  request.entry = project->models.at({3});
-  request.second = entry;
-  state.insight = workbench::InsightMaker().make(request);
-  return state;
-}
+using testing::made_state_with_two_models;
 
 }  // namespace
 
 TEST_CASE("two models stand beside each other in every mode, and say in how many cells the policy changed") {
   for (const float scale : {0.75F, 1.0F, 2.0F}) {
     CAPTURE(scale);
-    Desk desk(with_two_models(), scale);
+    Desk desk(made_state_with_two_models(), scale);
     Driver driver = desk.driver();
     CHECK(driver.key("Ctrl+3"));
     CHECK(driver.frames(3));
@@ -55,7 +35,7 @@ TEST_CASE("two models stand beside each other in every mode, and say in how many
 }
 
 TEST_CASE("the second model is chosen, and taken back") {
-  Desk desk(with_two_models());
+  Desk desk(made_state_with_two_models());
   Driver driver = desk.driver();
   CHECK(driver.key("Ctrl+3"));
   CHECK(driver.frames(3));
@@ -68,7 +48,7 @@ TEST_CASE("the second model is chosen, and taken back") {
 }
 
 TEST_CASE("both models are asked for in the view, whose halves then say whose they are") {
-  Desk desk(with_two_models());
+  Desk desk(made_state_with_two_models());
   Driver driver = desk.driver();
   CHECK(driver.key("Ctrl+3"));
   CHECK(driver.frames(3));
@@ -83,7 +63,7 @@ TEST_CASE("both models are asked for in the view, whose halves then say whose th
 }
 
 TEST_CASE("other seeds stand beside a model with their mean, spread, table and what they say of section V.A") {
-  workbench::WorkbenchState state = with_two_models();
+  workbench::WorkbenchState state = made_state_with_two_models();
   auto paper = std::make_shared<workbench::ModelEntry>(*state.project->models.at({4}));
   state.learning.seeds = 3;
   state.seeds = workbench::seed_insight({paper, learning::Layer::kReward, 3});

@@ -277,6 +277,7 @@ TEST_CASE("numbers read as people write them") {
   CHECK(time_code(3723.4) == "1:02:03.4");
   CHECK(percent(1, 3) == "33 %");
   CHECK(percent(1, 1) == "100 %");
+  CHECK(percent(293, 294) == "99.7 %");
   CHECK(percent(0, 0) == "–");
   CHECK(number(-0.5) == "−0.5");
   CHECK(number(std::nan("")) == "–");
