@@ -206,11 +206,30 @@ std::string export_text(const ExportDemonstrations& command, const std::string& 
   return text;
 }
 
+/// One field that is drawn besides, as --also takes it.
+std::string also_text(const workbench::FieldSettings& field) {
+  std::string text(learning::to_string(field.layer));
+  if (field.mask != learning::FieldMask::kNone) text += fmt::format(",mask={}", learning::to_string(field.mask));
+  if (field.scale != plot::ScaleKind::kLinear) text += fmt::format(",scale={}", plot::to_string(field.scale));
+  if (field.map) text += fmt::format(",map={}", plot::to_string(*field.map));
+  if (field.voxels) text += fmt::format(",voxels={:.6g}", field.voxel_threshold);
+  if (field.iso_surface) text += fmt::format(",iso={:.6g}", field.iso_level);
+  if (field.volume) text += ",volume";
+  for (std::size_t i = 0; i < field.slices.size(); ++i) {
+    if (field.slices[i] >= 0) text += fmt::format(",{}={}", "xyz"[i], field.slices[i]);
+  }
+  return text + fmt::format(",opacity={:.6g}", field.opacity);
+}
+
 /// The field in the view, from the paper's camera or a preset; "" where there is nothing to draw it with.
 std::string view_text(const workbench::FieldSettings& field, const WorkbenchState& state, const std::string& project) {
   if (state.demonstration == DemonstrationId{} || state.model == ModelId{}) return "";
   std::string text = fmt::format("trocar view render {} {} --model {} --layer {}", project, state.demonstration.value,
                                  state.model.value, learning::to_string(field.layer));
+  for (const workbench::FieldSettings& layer : state.field_layers) {
+    if (layer.visible) text += " --also " + shell_word(also_text(layer));
+  }
+  if (field.mask != learning::FieldMask::kNone) text += fmt::format(" --mask {}", learning::to_string(field.mask));
   if (state.learning.second_in_view && state.insight && state.insight->second) {
     text += fmt::format(" --beside {}", state.learning.second.value);
   }
@@ -345,6 +364,11 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
   if (const auto* field = std::get_if<SetField>(&command)) return view_text(field->settings, state, project);
   if (const auto* learning = std::get_if<workbench::SetLearning>(&command)) {
     return learning_text(learning->settings, state, project);
+  }
+  if (const auto* layers = std::get_if<workbench::SetFieldLayers>(&command)) {
+    WorkbenchState next = state;
+    next.field_layers = layers->layers;
+    return view_text(state.field, next, project);
   }
   if (const auto* rows = std::get_if<ExportRollouts>(&command)) return rollout_rows_text(*rows, state, project);
   if (const auto* erring = std::get_if<RunMonteCarlo>(&command)) {

@@ -159,6 +159,10 @@ constexpr int kFilmstripPictures = 64;
 struct SetField {
   FieldSettings settings;
 };
+/// Fields of the selected model that are drawn in the 3-D view besides the one that `SetField` means, in this order.
+struct SetFieldLayers {
+  std::vector<FieldSettings> layers;
+};
 struct RolloutSettings {
   std::string starts = "around:3";  ///< As `learning::read_starts` reads it.
   bool ghosts = true;               ///< Draw them in the 3-D view.
@@ -296,9 +300,10 @@ using Command =
     std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
                  SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch,
                  NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping,
-                 SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetRollouts,
-                 SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, RecordScripted, StopRecording, RecordByHand,
-                 FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration, FixProblems,
-                 ExportVideo, ExportField, ReadImport, EndImport, MakeImport, ExportDemonstrations, CancelJob, Report>;
+                 SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetFieldLayers,
+                 SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, RecordScripted, StopRecording,
+                 RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration,
+                 FixProblems, ExportVideo, ExportField, ReadImport, EndImport, MakeImport, ExportDemonstrations,
+                 CancelJob, Report>;
 
 }  // namespace trocar::workbench

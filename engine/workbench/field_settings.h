@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/learning/field.h"
+#include "engine/learning/field_mask.h"
 #include "engine/plot/colouring.h"
 #include "engine/stage/glyphs.h"
 
@@ -16,6 +17,7 @@ using stage::Glyphs;
 struct FieldSettings {
   bool visible = true;
   learning::Layer layer = learning::Layer::kReward;
+  learning::FieldMask mask = learning::FieldMask::kNone;
   std::array<int, 3> slices{-1, -1, -1};  ///< −1: none.
   std::array<int, 3> slabs{1, 1, 1};      ///< Cells that each slice is thick, at least 1: the largest value is shown.
   bool voxels = false;

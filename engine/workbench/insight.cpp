@@ -146,7 +146,8 @@ void InsightMaker::add_second(const InsightRequest& request, ModelInsight& insig
     second.selected = learning::rollout(b, *second.policy, insight.selected->start);
     second.parts_at = learning::first_divergence(insight.selected->cells, second.selected->cells);
   }
-  second.field = std::make_shared<const learning::Field>(field_of(b, request.layer));
+  second.field = std::make_shared<const learning::Field>(
+      learning::masked(field_of(b, request.shown.layer), b, second.comparison->basin_b, request.shown.mask));
   second.difference = std::make_shared<const learning::Field>(learning::difference(*insight.field, *second.field));
   insight.second = std::move(second);
 }
@@ -203,7 +204,13 @@ std::shared_ptr<const ModelInsight> InsightMaker::make(const InsightRequest& req
   insight->following = std::move(following);
   insight->epochs = epochs;
   insight->epoch = early ? request.epoch : epochs;
-  insight->field = std::make_shared<const learning::Field>(field_of(model, request.layer));
+  const auto shown_field = [&](const ShownField& of) {
+    return std::make_shared<const learning::Field>(
+        learning::masked(field_of(model, of.layer), model, *insight->basin, of.mask));
+  };
+  insight->field = shown_field(request.shown);
+  for (const ShownField& of : request.layers) insight->layers.push_back(shown_field(of));
+  insight->layers_of = request.layers;
   if (auto starts = learning::read_starts(request.rollouts.starts, model)) {
     insight->starts = std::move(*starts);
   } else {

@@ -21,6 +21,13 @@ namespace trocar::workbench {
 constexpr int kLargestAround = 5;
 constexpr int kMostListed = 12'000;
 
+/// Which field, and in which cells.
+struct ShownField {
+  learning::Layer layer = learning::Layer::kReward;
+  learning::FieldMask mask = learning::FieldMask::kNone;
+  bool operator==(const ShownField&) const = default;
+};
+
 /// The model that the first is compared with.
 struct SecondModel {
   std::shared_ptr<const ModelEntry> entry;
@@ -53,6 +60,9 @@ struct ModelInsight {
   int epochs = 0;
   learning::Exploration exploration;
   std::shared_ptr<const learning::Field> field;  ///< Of the layer in `FieldSettings`.
+  /// Of `WorkbenchState::field_layers`, in their order.
+  std::vector<std::shared_ptr<const learning::Field>> layers;
+  std::vector<ShownField> layers_of;  ///< What they are.
   std::shared_ptr<const std::vector<std::uint8_t>> policy;
   std::shared_ptr<const learning::Basin> basin;
   std::array<learning::RolloutSummary, kLargestAround> around;  ///< k = 1 … 5.
@@ -74,7 +84,8 @@ struct ModelInsight {
 struct InsightRequest {
   std::shared_ptr<const ModelEntry> entry;  ///< Null: nothing is selected.
   bool stale = false;
-  learning::Layer layer = learning::Layer::kReward;
+  ShownField shown;
+  std::vector<ShownField> layers;
   RolloutSettings rollouts;
   int epoch = -1;                            ///< Of the training; −1: its end.
   std::shared_ptr<const ModelEntry> second;  ///< Null: none.

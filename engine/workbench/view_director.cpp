@@ -94,12 +94,29 @@ bool shows_second(const WorkbenchState& state) {
          state.insight->second;
 }
 
+/// Those that were put beneath the field; none before they are worked out.
+void add_layers(const WorkbenchState& state, const ModelInsight& insight, ViewRequest& request) {
+  for (std::size_t i = 0; i < std::min(state.field_layers.size(), insight.layers.size()); ++i) {
+    const FieldSettings& layer = state.field_layers[i];
+    const ShownField of{layer.layer, layer.mask};
+    if (!layer.visible || insight.layers_of[i] != of) continue;
+    request.fields.push_back(field_layer(insight.layers[i], layer, {insight.entry->model, insight.policy}));
+  }
+}
+
 void add_fields(const WorkbenchState& state, ViewRequest& request) {
   if (state.live || !state.insight || !state.insight->field) return;
   const ModelInsight& insight = *state.insight;
   if (shows_second(state)) request.beside = {request.pose, {}, {}};
-  if (!state.field.visible) return;
+  const bool any = std::any_of(state.field_layers.begin(), state.field_layers.end(),
+                               [](const FieldSettings& layer) { return layer.visible; });
+  if (!state.field.visible && !any) return;
   request.options.lattice_frame = true;
+  add_layers(state, insight, request);
+  if (!state.field.visible) {
+    if (request.beside) request.beside->fields = request.fields;
+    return;
+  }
   request.fields.push_back(field_layer(insight.field, state.field, {insight.entry->model, insight.policy}));
   if (!shows_second(state)) {
     if (request.beside) request.beside->fields = request.fields;
@@ -188,6 +205,7 @@ ViewDirector::Shown ViewDirector::shown_by(const WorkbenchState& state) const {
   shown.comparison = drawn_comparison(state).get();
   shown.second = shows_second(state);
   shown.field = state.field;
+  shown.layers = state.field_layers;
   shown.rollouts = state.rollouts;
   shown.X_WC = camera_of(state).X_WC.matrix();
   shown.live_tick = state.live ? state.live->world.tick.count : -1;

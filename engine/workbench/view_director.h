@@ -78,6 +78,7 @@ class ViewDirector {
     const void* comparison = nullptr;  ///< Null where it is not drawn.
     bool second = false;               ///< The second model, too.
     FieldSettings field;
+    std::vector<FieldSettings> layers;
     RolloutSettings rollouts;
     Eigen::Matrix4d X_WC = Eigen::Matrix4d::Zero();
     std::int64_t live_tick = -1;

@@ -137,7 +137,8 @@ void Workbench::Impl::request_insight() {
   InsightRequest request;
   request.entry = model(state.model);
   request.stale = request.entry && state.project->stale(*request.entry);
-  request.layer = state.field.layer;
+  request.shown = {state.field.layer, state.field.mask};
+  for (const FieldSettings& layer : state.field_layers) request.layers.push_back({layer.layer, layer.mask});
   request.rollouts = state.rollouts;
   request.epoch = state.learning.epoch;
   request.second = model(state.learning.second);

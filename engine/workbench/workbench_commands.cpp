@@ -108,10 +108,21 @@ void Workbench::Impl::on(const ShowFilmstrip& command) {
 }
 
 void Workbench::Impl::on(const SetField& command) {
-  const bool other_layer = command.settings.layer != state.field.layer;
+  const bool other_layer = command.settings.layer != state.field.layer || command.settings.mask != state.field.mask;
   state.field = command.settings;
   dirty = true;
   if (other_layer) request_insight();
+}
+
+void Workbench::Impl::on(const SetFieldLayers& command) {
+  const auto same_field = [](const FieldSettings& a, const FieldSettings& b) {
+    return a.layer == b.layer && a.mask == b.mask;
+  };
+  const bool same = std::equal(command.layers.begin(), command.layers.end(), state.field_layers.begin(),
+                               state.field_layers.end(), same_field);
+  state.field_layers = command.layers;
+  dirty = true;
+  if (!same) request_insight();
 }
 
 void Workbench::Impl::on(const SetRollouts& command) {

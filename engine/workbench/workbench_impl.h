@@ -52,6 +52,7 @@ struct Workbench::Impl {
   void on(const SetBackdrop& command);
   void on(const ShowFilmstrip& command);
   void on(const SetField& command);
+  void on(const SetFieldLayers& command);
   void on(const SetRollouts& command);
   void on(const SetLearning& command);
   void on(const RunMonteCarlo& command);

@@ -101,6 +101,7 @@ struct WorkbenchState {
   scene::OrbitCamera orbit;
   std::optional<scene::CameraPreset> camera_preset;  ///< Until the view is orbited.
   FieldSettings field;
+  std::vector<FieldSettings> field_layers;  ///< Drawn besides it.
   RolloutSettings rollouts;
   LearningSettings learning;
   std::shared_ptr<const ModelInsight> insight;  ///< Of the selected model; null until worked out.

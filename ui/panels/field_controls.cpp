@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/learning/start_set.h"
+#include "ui/panels/field_layer_list.h"
 
 namespace trocar::ui {
 namespace {
@@ -53,6 +54,15 @@ bool choose_map(Ui& ui, std::optional<plot::ColourMap>& map, const WidgetOptions
   map.reset();
   if (chosen > 0) map = kMaps[static_cast<std::size_t>(chosen) - 1];
   return true;
+}
+
+void choose_mask(Ui& ui, learning::FieldMask& mask) {
+  static const std::vector<std::string> kNames{"all", "the safe set", "the expert's", "visited in training",
+                                               "those that arrive"};
+  auto chosen = static_cast<int>(mask);
+  if (combo(ui, "Mask", chosen, kNames, {.help = "Which cells are shown; the others count as unknown"})) {
+    mask = learning::all_field_masks()[static_cast<std::size_t>(chosen)];
+  }
 }
 
 std::vector<std::string> vision_names() {
@@ -142,6 +152,8 @@ void draw_field_controls(Ui& ui, const WorkbenchState& state, const FieldShading
     if (visits && settings.scale == plot::ScaleKind::kLinear) settings.scale = plot::ScaleKind::kSymlog;
     settings.limits.reset();
   }
+  form_label(ui, "Cells");
+  choose_mask(ui, settings.mask);
   form_label(ui, "Colours");
   const plot::ScaleKind scale = settings.scale;
   choose_colours(ui, shading, settings);
@@ -158,6 +170,7 @@ void draw_field_controls(Ui& ui, const WorkbenchState& state, const FieldShading
           .width = std::max(half, ui.px(90))});
   flow(std::max(half, ui.px(150)), ui.px(14));
   slider_float(ui, "Opacity", settings.opacity, 0.05F, 1.0F, "%.2f opaque", {.help = "Of the field in the 3-D view"});
+  draw_field_layers(ui, state, requests);
   form_label(ui, "Shown here");
   static const std::vector<std::string> kModes{"Slices", "Montage"};
   int mode = montage ? 1 : 0;

@@ -22,6 +22,7 @@ struct FieldsDesk : Desk {
       TROCAR_ASSIGN_OR_RETURN(const ShellResult result, session->frame(state));
       for (const auto& command : result.commands) {
         if (const auto* field = std::get_if<workbench::SetField>(&command)) state.field = field->settings;
+        if (const auto* layers = std::get_if<workbench::SetFieldLayers>(&command)) state.field_layers = layers->layers;
       }
       copied = window.clipboard();
       return {};
@@ -69,6 +70,40 @@ TEST_CASE("drawings in the view are switched, and bring what they need with them
   CHECK(text_of(driver.click("Fields/Glyphs")) == "");
   CHECK(text_of(driver.click("Glyphs/stars")) == "");
   CHECK(desk.state.field.glyphs == workbench::Glyphs::kStars);
+}
+
+TEST_CASE("fields are kept in the view as layers, hidden, shown alone, moved, taken up again and taken off") {
+  FieldsDesk desk;
+  Driver driver = desk.follow();
+  CHECK(text_of(driver.expect_enabled("Fields/Layers/Keep in the view", false)) == "");
+  CHECK(text_of(driver.click("Fields/Volume")) == "");
+  CHECK(text_of(driver.click("Fields/Layers/Keep in the view")) == "");
+  REQUIRE(desk.state.field_layers.size() == 1);
+  CHECK(desk.state.field_layers[0].volume);
+  CHECK_FALSE(desk.state.field.volume);
+  CHECK(text_of(driver.click("Fields/Mask")) == "");
+  CHECK(text_of(driver.click("Mask/the safe set")) == "");
+  CHECK(desk.state.field.mask == learning::FieldMask::kSafe);
+  CHECK(text_of(driver.click("Fields/Voxels")) == "");
+  CHECK(text_of(driver.click("Fields/Layers/Keep in the view")) == "");
+  REQUIRE(desk.state.field_layers.size() == 2);
+  CHECK(text_of(driver.expect_present("Fields/Layers/2/reward · voxels · safe", true)) == "");
+  CHECK(text_of(driver.click("Fields/Layers/1/reward · volume")) == "");
+  CHECK_FALSE(desk.state.field_layers[0].visible);
+  CHECK(text_of(driver.click("Fields/Layers/1/Solo")) == "");
+  CHECK(desk.state.field_layers[0].visible);
+  CHECK_FALSE(desk.state.field_layers[1].visible);
+  CHECK_FALSE(desk.state.field.visible);
+  CHECK(text_of(driver.click("Fields/Layers/1/Solo")) == "");
+  CHECK(desk.state.field_layers[1].visible);
+  CHECK(desk.state.field.visible);
+  CHECK(text_of(driver.click("Fields/Layers/1/Down")) == "");
+  CHECK(desk.state.field_layers[1].volume);
+  CHECK(text_of(driver.click("Fields/Layers/2/Swap")) == "");
+  CHECK(desk.state.field.volume);
+  CHECK_FALSE(desk.state.field_layers[1].volume);
+  CHECK(text_of(driver.click("Fields/Layers/1/Remove")) == "");
+  CHECK(desk.state.field_layers.size() == 1);
 }
 
 TEST_CASE("a limit of the colours follows the mouse, and a double click fits it again") {
