@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/commands/demo_commands.h"
+#include "app/commands/print_arguments.h"
 #include "engine/figure/curve_figure.h"
 #include "engine/media/picture_file.h"
 #include "engine/workbench/curves.h"
@@ -21,6 +23,8 @@ struct PlotArguments {
   double from_s = -1.0;
   double to_s = -1.0;
   int width = 1000;
+  std::string preset;
+  double dpi = 0.0;
 };
 
 void bind_plot(CLI::App& verb, PlotArguments& arguments) {
@@ -38,7 +42,9 @@ void bind_plot(CLI::App& verb, PlotArguments& arguments) {
   verb.add_option("--width", arguments.width, "Of the figure, in pixels")
       ->check(CLI::Range(480, 8000))
       ->capture_default_str();
-  verb.add_option("--out", arguments.out, "F.png, F.svg, or F.csv for the numbers")->required();
+  verb.add_option("--preset", arguments.preset, kPresetHelp)->excludes("--width");
+  verb.add_option("--dpi", arguments.dpi, kDpiHelp)->check(CLI::Range(kLeastDpi, kMostDpi));
+  verb.add_option("--out", arguments.out, "F.png, F.svg, F.pdf, or F.csv for the numbers")->required();
 }
 
 Result<figure::CurveFigure> figure_of(const PlotArguments& arguments, const demonstration::Demonstration& shown) {
@@ -47,6 +53,10 @@ Result<figure::CurveFigure> figure_of(const PlotArguments& arguments, const demo
   made.begin_s = arguments.from_s >= 0.0 ? arguments.from_s : shown.begin_s;
   made.end_s = arguments.to_s >= 0.0 ? arguments.to_s : shown.end_s;
   made.width_px = arguments.width;
+  if (!arguments.preset.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(made.print, figure::print_from(arguments.preset));
+    if (arguments.dpi > 0.0) made.print->dpi = arguments.dpi;
+  }
   if (!(made.begin_s < made.end_s)) {
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("from {:.3f} to {:.3f} s there is nothing to plot", made.begin_s, made.end_s));
@@ -84,7 +94,8 @@ Json ranges_of(const figure::CurveFigure& made) {
 }
 
 Result<Answer> run_plot(const PlotArguments& arguments, Console& console) {
-  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png", ".svg", ".csv"}));
+  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png", ".svg", ".pdf", ".csv"}));
+  TROCAR_RETURN_IF_ERROR(check_dpi(arguments.dpi, arguments.out));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto shown, find_demonstration(*file.project(), arguments.demonstration));
@@ -93,9 +104,11 @@ Result<Answer> run_plot(const PlotArguments& arguments, Console& console) {
   const std::string ending = out.extension().string();
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   if (ending == ".png") {
-    TROCAR_RETURN_IF_ERROR(media::write_png(out, figure::draw_curves(made)));
+    std::optional<double> dpi = made.print ? std::optional(made.print->dpi) : std::nullopt;
+    if (arguments.dpi > 0.0) dpi = arguments.dpi;
+    TROCAR_RETURN_IF_ERROR(media::write_png(out, figure::draw_curves(made), dpi));
   } else {
-    TROCAR_RETURN_IF_ERROR(ending == ".svg" ? figure::save_curves_svg(made, out) : figure::save_curves_csv(made, out));
+    TROCAR_RETURN_IF_ERROR(ending == ".csv" ? figure::save_curves_csv(made, out) : figure::save_curves(made, out));
   }
   std::error_code ignored;
   Answer answer;

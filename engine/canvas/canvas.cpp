@@ -1,5 +1,6 @@
 #include "engine/canvas/canvas.h"
 
+#include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
 
@@ -85,7 +86,8 @@ void stroke(cairo_t* context, Rgba colour, double width) {
 }  // namespace
 
 struct Canvas::Impl {
-  std::shared_ptr<std::string> svg_bytes;  ///< Null for a picture; outlives the surface that writes to it.
+  std::shared_ptr<std::string> vector_bytes;  ///< Null for a picture; outlives the surface that writes to it.
+  bool is_svg = false;
   Surface surface{nullptr, &cairo_surface_destroy};
   Context context{nullptr, &cairo_destroy};
 
@@ -100,6 +102,14 @@ struct Canvas::Impl {
     cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_SLIGHT);
     cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
     cairo_set_font_options(context.get(), options.get());
+  }
+
+  void open_svg(double width, double height, cairo_svg_unit_t unit) {
+    vector_bytes = std::make_shared<std::string>();
+    is_svg = true;
+    cairo_surface_t* made = cairo_svg_surface_create_for_stream(append_bytes, vector_bytes.get(), width, height);
+    cairo_svg_surface_set_document_unit(made, unit);
+    open(made);
   }
 
   double run_width(const FontRun& run, double size) const {
@@ -122,12 +132,29 @@ Canvas::Canvas(const Image& background) : impl_(std::make_unique<Impl>()) {
 }
 
 Canvas Canvas::svg(double width, double height) {
-  auto impl = std::make_unique<Impl>();
-  impl->svg_bytes = std::make_shared<std::string>();
-  cairo_surface_t* surface = cairo_svg_surface_create_for_stream(append_bytes, impl->svg_bytes.get(), width, height);
-  cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
-  impl->open(surface);
-  return Canvas(std::move(impl));
+  Canvas canvas(std::make_unique<Impl>());
+  canvas.impl_->open_svg(width, height, CAIRO_SVG_UNIT_PX);
+  return canvas;
+}
+
+Canvas Canvas::svg_on_paper(double width, double height, double pt_per_px) {
+  Canvas canvas(std::make_unique<Impl>());
+  canvas.impl_->open_svg(width * pt_per_px, height * pt_per_px, CAIRO_SVG_UNIT_PT);
+  cairo_scale(canvas.impl_->context.get(), pt_per_px, pt_per_px);
+  return canvas;
+}
+
+Canvas Canvas::pdf(double width, double height, double pt_per_px) {
+  Canvas canvas(std::make_unique<Impl>());
+  Impl& impl = *canvas.impl_;
+  impl.vector_bytes = std::make_shared<std::string>();
+  cairo_surface_t* surface =
+      cairo_pdf_surface_create_for_stream(append_bytes, impl.vector_bytes.get(), width * pt_per_px, height * pt_per_px);
+  // No time of writing, so that the same drawing gives the same file.
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");
+  impl.open(surface);
+  cairo_scale(impl.context.get(), pt_per_px, pt_per_px);
+  return canvas;
 }
 
 Canvas::Canvas(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -170,7 +197,7 @@ void Canvas::circle(Point centre, double radius, Rgba fill) {
   cairo_fill(impl_->context.get());
 }
 
-void Canvas::hatch(double x, double y, double w, double h, Rgba colour, double spacing) {
+void Canvas::hatch(double x, double y, double w, double h, Rgba colour, double spacing, double width) {
   if (!(w > 0.0 && h > 0.0 && spacing > 0.0)) return;
   cairo_t* context = impl_->context.get();
   cairo_save(context);
@@ -185,7 +212,7 @@ void Canvas::hatch(double x, double y, double w, double h, Rgba colour, double s
     cairo_move_to(context, top, y);
     cairo_line_to(context, top - h, y + h);
   }
-  stroke(context, colour, 1.0);
+  stroke(context, colour, width);
   cairo_restore(context);
 }
 
@@ -225,18 +252,18 @@ double Canvas::text_width(std::string_view utf8, const TextStyle& style) const {
 }
 
 Image Canvas::picture() const {
-  TROCAR_CHECK(impl_->svg_bytes == nullptr);
+  TROCAR_CHECK(impl_->vector_bytes == nullptr);
   return image_from(impl_->surface.get());
 }
 
-Status Canvas::save_svg(const std::filesystem::path& path) {
-  TROCAR_CHECK(impl_->svg_bytes != nullptr);
+Status Canvas::save(const std::filesystem::path& path) {
+  TROCAR_CHECK(impl_->vector_bytes != nullptr);
   const cairo_status_t drawn = cairo_status(impl_->context.get());
   cairo_surface_finish(impl_->surface.get());
   if (drawn != CAIRO_STATUS_SUCCESS || cairo_surface_status(impl_->surface.get()) != CAIRO_STATUS_SUCCESS) {
-    return tl::unexpected(Error(ErrorCode::kIo, "could not draw the SVG").at(path.string()));
+    return tl::unexpected(Error(ErrorCode::kIo, "could not draw the figure").at(path.string()));
   }
-  return write_file(path, renumbered(*impl_->svg_bytes));
+  return write_file(path, impl_->is_svg ? renumbered(*impl_->vector_bytes) : *impl_->vector_bytes);
 }
 
 }  // namespace trocar::canvas

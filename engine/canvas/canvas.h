@@ -1,4 +1,4 @@
-/// Text and flat shapes on a picture or in an SVG: captions of films, colour bars, figures. (Cairo, FreeType.)
+/// Text and flat shapes on a picture, in an SVG or a PDF: captions of films, colour bars, figures. (Cairo, FreeType.)
 #pragma once
 
 #include <filesystem>
@@ -26,14 +26,17 @@ struct TextStyle {
   Align align = Align::kLeft;
 };
 
-/// Draws with Inter (DejaVu Sans where it is missing). Units are pixels from the top left, y down; for SVG points are
-/// pixels. Threads: one at a time; several canvases may live in several threads.
+/// Draws with Inter (DejaVu Sans where it is missing). Units are pixels from the top left, y down. Threads: one at a
+/// time; several canvases may live in several threads.
 class Canvas {
  public:
   /// Draws over a copy of `background`.
   explicit Canvas(const Image& background);
-  /// A vector drawing of that size, written by `save_svg`.
+  /// A vector drawing of that size in pixels, written by `save`; its pixels are those of a browser.
   static Canvas svg(double width, double height);
+  /// The same on paper, each pixel `pt_per_px` points of 1/72 inch wide; text stays text in the PDF.
+  static Canvas svg_on_paper(double width, double height, double pt_per_px);
+  static Canvas pdf(double width, double height, double pt_per_px);
   ~Canvas();
   Canvas(Canvas&&) noexcept;
   Canvas& operator=(Canvas&&) noexcept;
@@ -45,17 +48,17 @@ class Canvas {
   void polygon(const std::vector<Point>& points, Rgba fill);
   void circle(Point centre, double radius, Rgba fill);
   /// Diagonal lines clipped to the rectangle: what is unknown.
-  void hatch(double x, double y, double w, double h, Rgba stroke, double spacing = 4.0);
+  void hatch(double x, double y, double w, double h, Rgba stroke, double spacing = 4.0, double width = 1.0);
   /// A picture scaled to the rectangle without smoothing.
   void image(const Image& picture, double x, double y, double w, double h);
   /// `at` is the baseline's start, middle or end as `style.align` says.
   void text(Point at, std::string_view utf8, const TextStyle& style);
   double text_width(std::string_view utf8, const TextStyle& style) const;
 
-  /// The picture so far; precondition: not an SVG.
+  /// The picture so far; precondition: no vector drawing.
   Image picture() const;
-  /// Precondition: made by `svg()`. Errors: kIo.
-  Status save_svg(const std::filesystem::path& path);
+  /// The same drawing gives the same bytes. Precondition: a vector drawing. Errors: kIo.
+  Status save(const std::filesystem::path& path);
 
  private:
   struct Impl;

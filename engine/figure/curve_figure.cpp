@@ -10,6 +10,7 @@
 #include "engine/canvas/canvas.h"
 #include "engine/core/check.h"
 #include "engine/core/file.h"
+#include "engine/figure/fitted_text.h"
 #include "engine/figure/slice_panel.h"
 
 namespace trocar::figure {
@@ -34,6 +35,27 @@ constexpr double kTop = 44.0;
 constexpr double kLeft = 72.0;
 constexpr double kRight = 22.0;
 constexpr double kBottom = 46.0;
+constexpr double kLabelGap = 7.0;
+constexpr double kPaperMargin = 4.0;
+constexpr double kTickAtUnit = 12.0;
+constexpr double kFinestDpi = 600.0;
+constexpr double kCurve_pt = 0.8;
+constexpr double kThin_pt = 0.5;
+
+/// Lengths in pixels.
+struct Sizes {
+  double unit = 1.0;  ///< 1 at a width of 1000 pixels, and at ticks of 12 pixels for print.
+  double pt_per_px = 0.75;
+  double width = 1000.0;
+  double title = 14.0;  ///< Em sizes.
+  double heading = 13.0;
+  double tick = 12.0;
+  double limit = 11.0;
+  double left = kLeft;
+  double line = 1.8;  ///< Widths of the curves, and of all else.
+  double thin = 1.0;
+  double finest_px = 1.0;  ///< Below which curves need no detail.
+};
 
 /// Where one plot lies, and what its edges stand for.
 struct Place {
@@ -42,6 +64,7 @@ struct Place {
   double w = 0.0;
   double h = 0.0;
   double unit = 1.0;
+  Sizes sizes;
   plot::Axis time;
   plot::Axis values;
 
@@ -50,22 +73,40 @@ struct Place {
   }
 };
 
-double unit_of(const CurveFigure& figure) {
-  return std::max(figure.width_px, 480) / 1000.0;
+Sizes sizes_of(const CurveFigure& figure, double dpi) {
+  Sizes sizes;
+  if (!figure.print) {
+    sizes.width = std::max(figure.width_px, 480);
+    sizes.unit = sizes.width / 1000.0;
+    for (double* each :
+         {&sizes.title, &sizes.heading, &sizes.tick, &sizes.limit, &sizes.left, &sizes.line, &sizes.thin})
+      *each *= sizes.unit;
+    return sizes;
+  }
+  sizes.pt_per_px = pt_per_px(dpi);
+  sizes.line = kCurve_pt / sizes.pt_per_px;
+  sizes.thin = kThin_pt / sizes.pt_per_px;
+  sizes.finest_px = std::max(1.0, dpi / kFinestDpi);
+  sizes.width = std::round(figure.print->width_mm * px_per_mm(dpi));
+  sizes.tick = figure.print->text_pt / sizes.pt_per_px;
+  sizes.title = sizes.heading = sizes.limit = sizes.tick;
+  sizes.unit = sizes.tick / kTickAtUnit;
+  return sizes;
 }
 
-double height_of(const CurveFigure& figure) {
+double height_of(const CurveFigure& figure, const Sizes& sizes) {
   const auto count = static_cast<double>(figure.plots.size());
-  return unit_of(figure) * (kTop + count * (kPlotHeight + kPlotGap) - kPlotGap + kBottom);
+  return std::ceil(sizes.unit * (kTop + count * (kPlotHeight + kPlotGap) - kPlotGap + kBottom));
 }
 
-Place place_of(const CurveFigure& figure, std::size_t index) {
+Place place_of(const CurveFigure& figure, std::size_t index, const Sizes& sizes) {
   const CurvePlot& shown = figure.plots[index];
   Place place;
-  place.unit = unit_of(figure);
-  place.x = kLeft * place.unit;
+  place.unit = sizes.unit;
+  place.sizes = sizes;
+  place.x = sizes.left;
   place.y = (kTop + static_cast<double>(index) * (kPlotHeight + kPlotGap)) * place.unit;
-  place.w = std::max(figure.width_px, 480) - (kLeft + kRight) * place.unit;
+  place.w = sizes.width - sizes.left - kRight * place.unit;
   place.h = kPlotHeight * place.unit;
   std::optional<plot::Extent> all;
   for (const FigureLine& line : shown.lines) {
@@ -78,18 +119,30 @@ Place place_of(const CurveFigure& figure, std::size_t index) {
   return place;
 }
 
+/// For print, where the labels take what they need: the widest of all plots beside their left edges.
+double left_of(const Canvas& canvas, const CurveFigure& figure, const Sizes& sizes) {
+  const TextStyle style{sizes.tick, Weight::kRegular, kQuiet, Align::kRight};
+  double widest = 0.0;
+  for (std::size_t i = 0; i < figure.plots.size(); ++i) {
+    for (const std::string& label : place_of(figure, i, sizes).values.labels) {
+      widest = std::max(widest, canvas.text_width(label, style));
+    }
+  }
+  return std::ceil(widest + (kLabelGap + kPaperMargin) * sizes.unit);
+}
+
 void draw_grid(Canvas& canvas, const Place& place, bool times) {
-  const TextStyle style{12.0 * place.unit, Weight::kRegular, kQuiet, Align::kRight};
+  const TextStyle style{place.sizes.tick, Weight::kRegular, kQuiet, Align::kRight};
   for (std::size_t i = 0; i < place.values.ticks.size(); ++i) {
     const double y = place.at({place.time.low, place.values.ticks[i]}).y;
-    canvas.line({place.x, y}, {place.x + place.w, y}, kGrid, place.unit);
-    canvas.text({place.x - 7.0 * place.unit, y + 4.0 * place.unit}, place.values.labels[i], style);
+    canvas.line({place.x, y}, {place.x + place.w, y}, kGrid, place.sizes.thin);
+    canvas.text({place.x - kLabelGap * place.unit, y + 4.0 * place.unit}, place.values.labels[i], style);
   }
   TextStyle below = style;
   below.align = Align::kCentre;
   for (std::size_t i = 0; i < place.time.ticks.size(); ++i) {
     const double x = place.at({place.time.ticks[i], place.values.low}).x;
-    canvas.line({x, place.y}, {x, place.y + place.h}, kGrid, place.unit);
+    canvas.line({x, place.y}, {x, place.y + place.h}, kGrid, place.sizes.thin);
     if (times) canvas.text({x, place.y + place.h + 17.0 * place.unit}, place.time.labels[i], below);
   }
   if (times) {
@@ -103,10 +156,10 @@ void draw_limit(Canvas& canvas, const Place& place, double limit, bool above, co
   const double top = above ? place.y : y;
   const double height = above ? y - place.y : place.y + place.h - y;
   canvas.rectangle(place.x, top, place.w, height, kBeyond);
-  canvas.line({place.x, y}, {place.x + place.w, y}, kLimit, place.unit);
+  canvas.line({place.x, y}, {place.x + place.w, y}, kLimit, place.sizes.thin);
   if (height < 13.0 * place.unit) return;
   canvas.text({place.x + place.w - 5.0 * place.unit, above ? y - 4.0 * place.unit : y + 12.0 * place.unit}, words,
-              {11.0 * place.unit, Weight::kRegular, kLimit, Align::kRight});
+              {place.sizes.limit, Weight::kRegular, kLimit, Align::kRight});
 }
 
 /// Cut to the times of the plot; values are within it.
@@ -153,10 +206,10 @@ void draw_dashed(Canvas& canvas, const std::vector<Point>& points, Rgba colour, 
 }
 
 void draw_lines(Canvas& canvas, const CurvePlot& shown, const Place& place) {
-  const double width = 1.8 * place.unit;
+  const double width = place.sizes.line;
   for (std::size_t i = 0; i < shown.lines.size(); ++i) {
     const Rgba colour = kLines[i % kLines.size()];
-    const auto columns = static_cast<int>(place.w);
+    const auto columns = static_cast<int>(place.w / place.sizes.finest_px);
     for (const auto& line : shown.lines[i].curve->lines(place.time.low, place.time.high, columns)) {
       const std::vector<Point> points = cut(line, place);
       if (points.size() < 2) continue;
@@ -173,55 +226,72 @@ void draw_lines(Canvas& canvas, const CurvePlot& shown, const Place& place) {
 void draw_heading(Canvas& canvas, const CurvePlot& shown, const Place& place) {
   const double y = place.y - 8.0 * place.unit;
   canvas.text({place.x, y}, fmt::format("{}, {}", shown.title, shown.unit),
-              {13.0 * place.unit, Weight::kSemiBold, kInk, Align::kLeft});
+              {place.sizes.heading, Weight::kSemiBold, kInk, Align::kLeft});
   double x = place.x + place.w;
-  const TextStyle style{12.0 * place.unit, Weight::kRegular, kInk, Align::kRight};
+  const TextStyle style{place.sizes.tick, Weight::kRegular, kInk, Align::kRight};
   for (std::size_t i = shown.lines.size(); i-- > 0;) {
     canvas.text({x, y}, shown.lines[i].name, style);
     x -= canvas.text_width(shown.lines[i].name, style) + 6.0 * place.unit;
     const std::vector<Point> sample{{x - 28.0 * place.unit, y - 4.0 * place.unit}, {x, y - 4.0 * place.unit}};
     const Rgba colour = kLines[i % kLines.size()];
     if (i % 2 == 1) {
-      draw_dashed(canvas, sample, colour, 1.8 * place.unit);
+      draw_dashed(canvas, sample, colour, place.sizes.line);
     } else {
-      canvas.polyline(sample, colour, 1.8 * place.unit);
+      canvas.polyline(sample, colour, place.sizes.line);
     }
     x -= 44.0 * place.unit;
   }
 }
 
-void draw(Canvas& canvas, const CurveFigure& figure) {
+void draw(Canvas& canvas, const CurveFigure& figure, const Sizes& sizes) {
   TROCAR_CHECK(figure.begin_s < figure.end_s);
-  const double unit = unit_of(figure);
-  canvas.rectangle(0.0, 0.0, std::max(figure.width_px, 480), height_of(figure), {255, 255, 255, 255});
-  canvas.text({0.5 * (figure.width_px + (kLeft - kRight) * unit), 19.0 * unit}, figure.title,
-              {14.0 * unit, Weight::kSemiBold, kInk, Align::kCentre});
+  const double unit = sizes.unit;
+  canvas.rectangle(0.0, 0.0, sizes.width, height_of(figure, sizes), {255, 255, 255, 255});
+  const double right = sizes.width - kRight * unit;
+  const TextStyle title{sizes.title, Weight::kSemiBold, kInk, Align::kCentre};
+  canvas.text({0.5 * (sizes.left + right), 19.0 * unit}, fitted(canvas, figure.title, title, right - sizes.left),
+              title);
   for (std::size_t i = 0; i < figure.plots.size(); ++i) {
-    const Place place = place_of(figure, i);
+    const Place place = place_of(figure, i, sizes);
     draw_grid(canvas, place, i + 1 == figure.plots.size());
     for (const plot::Band& limit : figure.plots[i].limits) {
       draw_limit(canvas, place, limit.high, true, limit.label);
       draw_limit(canvas, place, limit.low, false, limit.label);
     }
     draw_lines(canvas, figure.plots[i], place);
-    canvas.outline(place.x, place.y, place.w, place.h, kQuiet, place.unit);
+    canvas.outline(place.x, place.y, place.w, place.h, kQuiet, place.sizes.thin);
     draw_heading(canvas, figure.plots[i], place);
   }
+}
+
+Sizes laid_out(const CurveFigure& figure, double dpi) {
+  Sizes sizes = sizes_of(figure, dpi);
+  if (figure.print) sizes.left = left_of(Canvas(Image(1, 1)), figure, sizes);
+  return sizes;
 }
 
 }  // namespace
 
 Image draw_curves(const CurveFigure& figure) {
-  const auto height = static_cast<int>(std::ceil(height_of(figure)));
-  Canvas canvas(Image(std::max(figure.width_px, 480), height, {255, 255, 255, 255}));
-  draw(canvas, figure);
+  const Sizes sizes = laid_out(figure, figure.print ? figure.print->dpi : kScreenDpi);
+  Canvas canvas(Image(static_cast<int>(sizes.width), static_cast<int>(height_of(figure, sizes)), {255, 255, 255, 255}));
+  draw(canvas, figure, sizes);
   return canvas.picture();
 }
 
-Status save_curves_svg(const CurveFigure& figure, const std::filesystem::path& path) {
-  Canvas canvas = Canvas::svg(std::max(figure.width_px, 480), std::ceil(height_of(figure)));
-  draw(canvas, figure);
-  return canvas.save_svg(path);
+Status save_curves(const CurveFigure& figure, const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  if (extension != ".svg" && extension != ".pdf") {
+    return tl::unexpected(
+        Error(ErrorCode::kInvalidArgument, "curves are saved as .png, .svg, .pdf or .csv").at(path.string()));
+  }
+  const Sizes sizes = laid_out(figure, kDrawingDpi);
+  const double height = height_of(figure, sizes);
+  Canvas canvas = extension == ".pdf" ? Canvas::pdf(sizes.width, height, sizes.pt_per_px)
+                  : figure.print      ? Canvas::svg_on_paper(sizes.width, height, sizes.pt_per_px)
+                                      : Canvas::svg(sizes.width, height);
+  draw(canvas, figure, sizes);
+  return canvas.save(path);
 }
 
 Status save_curves_csv(const CurveFigure& figure, const std::filesystem::path& path) {

@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/core/image.h"
 #include "engine/core/result.h"
+#include "engine/figure/print.h"
 #include "engine/plot/axis.h"
 #include "engine/plot/curve.h"
 
@@ -32,13 +34,14 @@ struct CurveFigure {
   std::vector<CurvePlot> plots;
   double begin_s = 0.0;
   double end_s = 1.0;
-  int width_px = 1000;  ///< At least 480.
+  int width_px = 1000;         ///< At least 480.
+  std::optional<Print> print;  ///< For paper: in place of `width_px`.
 };
 
 /// Precondition (here and below): begin_s < end_s.
 Image draw_curves(const CurveFigure& figure);
-/// Errors: kIo.
-Status save_curves_svg(const CurveFigure& figure, const std::filesystem::path& path);
+/// As .svg or .pdf, by the extension of `path`. Errors: kInvalidArgument for another, kIo.
+Status save_curves(const CurveFigure& figure, const std::filesystem::path& path);
 /// Every sample between begin and end as a row "t_s,curve,unit,line,value"; the shortest text that reads back as the
 /// same number, none in a gap. Errors: kIo.
 Status save_curves_csv(const CurveFigure& figure, const std::filesystem::path& path);

@@ -9,6 +9,7 @@
 #include "engine/canvas/canvas.h"
 #include "engine/core/image.h"
 #include "engine/core/result.h"
+#include "engine/figure/print.h"
 #include "engine/learning/field.h"
 #include "engine/plot/colouring.h"
 
@@ -28,6 +29,7 @@ struct FieldFigureOptions {
   plot::ScaleKind scale = plot::ScaleKind::kLinear;
   plot::ColourVision vision = plot::ColourVision::kFull;  ///< The colours as this reader sees them.
   int width_px = 1000;          ///< At least 320; the figure grows where letters or cells would be too small to see.
+  std::optional<Print> print;   ///< For paper: in place of `width_px`; grows only where a cell has less than a pixel.
   std::string subtitle;         ///< Whose field it is, below the title. Empty: none.
   learning::CellSequence path;  ///< Cells with a dot: the expert's. Empty: none.
   spatial::CellSet safe;        ///< Outlined. Empty: none.
@@ -53,9 +55,11 @@ Image slice_pixels(const learning::Field& field, const Slice& slice, const plot:
 /// Preconditions: the slice is one of the grid's, `path` and `safe` are of the same grid.
 Image draw_field(const learning::Field& field, const FieldFigureOptions& options);
 
-/// By the extension of `path`: .png is the caller's; .svg, .csv (header row: i,j,k,x_mm,y_mm,z_mm,value; unknown empty)
-/// and .npy (float64, n×n×n, C order, NaN unknown); with a slice, the CSV has its cells only and the NPY is n×n, as
-/// `values[first axis][second axis]` in the order x, y, z. Errors: kInvalidArgument for another extension; kIo.
+/// By the extension of `path`: .png is the caller's; .svg and .pdf draw; .csv (header row: i,j,k,x_mm,y_mm,z_mm,value;
+/// unknown empty) and .npy (float64, n×n×n, C order, NaN unknown) hold numbers, with a slice the CSV of its cells only
+/// and the NPY n×n, as `values[first axis][second axis]` in the order x, y, z; .vti is the whole lattice as VTK's
+/// ImageData, in millimetres of W, the values as data of the cells. Errors: kInvalidArgument for another extension, and
+/// for a slice of a .vti; kIo.
 Status save_field(const learning::Field& field, const FieldFigureOptions& options, const std::filesystem::path& path);
 
 }  // namespace trocar::figure

@@ -10,4 +10,7 @@ Status write_csv(const learning::Field& field, const std::optional<Slice>& slice
 /// NumPy's format 1.0, little-endian. Errors: kIo.
 Status write_npy(const learning::Field& field, const std::optional<Slice>& slice, const std::filesystem::path& path);
 
+/// VTK's XML ImageData: Float64 in base64 behind its length, x fastest, as VTK has it. Errors: kIo.
+Status write_vti(const learning::Field& field, const std::filesystem::path& path);
+
 }  // namespace trocar::figure

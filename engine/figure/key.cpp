@@ -16,8 +16,8 @@ constexpr double kGap = 7.0;
 constexpr double kRow = 24.0;
 constexpr double kSwatch = 15.0;
 
-TextStyle label_style(double unit, Rgba ink = kInk) {
-  return {14.0 * unit, canvas::Weight::kRegular, ink, canvas::Align::kLeft};
+TextStyle label_style(const KeyLook& look) {
+  return {look.text_px, canvas::Weight::kRegular, look.ink, canvas::Align::kLeft};
 }
 
 struct BarTicks {
@@ -25,9 +25,16 @@ struct BarTicks {
   std::vector<std::string> labels;
 };
 
-BarTicks bar_ticks(const plot::Scale& scale) {
+constexpr int kMostTicks = 7;
+
+/// How many labels have room one above the other.
+int tick_count(double height, const KeyLook& look) {
+  return std::clamp(static_cast<int>(height / (1.7 * look.text_px)), 2, kMostTicks);
+}
+
+BarTicks bar_ticks(const plot::Scale& scale, int count) {
   BarTicks bar;
-  bar.values = plot::ticks(scale, 7);
+  bar.values = plot::ticks(scale, count);
   bar.labels = plot::format_ticks(scale, bar.values);
   return bar;
 }
@@ -49,16 +56,16 @@ std::vector<MarkRow> mark_rows(const learning::Field& field, const FieldFigureOp
   return rows;
 }
 
-void draw_swatch(Canvas& canvas, Mark mark, double x, double y, double size) {
+void draw_swatch(Canvas& canvas, Mark mark, double x, double y, double size, double pen) {
   const canvas::Point middle{x + size / 2, y + size / 2};
-  if (mark == Mark::kStart) draw_start_mark(canvas, middle, 0.42 * size);
-  if (mark == Mark::kGoal) draw_goal_mark(canvas, middle, 0.42 * size);
-  if (mark == Mark::kPath) draw_path_mark(canvas, middle, 0.3 * size);
+  if (mark == Mark::kStart) draw_start_mark(canvas, middle, 0.42 * size, pen);
+  if (mark == Mark::kGoal) draw_goal_mark(canvas, middle, 0.42 * size, pen);
+  if (mark == Mark::kPath) draw_path_mark(canvas, middle, 0.3 * size, pen);
   if (mark == Mark::kSafe) draw_safe_line(canvas, {x, middle.y}, {x + size, middle.y}, 0.14 * size);
   if (mark != Mark::kUnknown) return;
   canvas.rectangle(x, y, size, size, kHatchGround);
-  canvas.hatch(x, y, size, size, kHatchInk, size / 4);
-  canvas.outline(x, y, size, size, kQuiet, 1.0);
+  canvas.hatch(x, y, size, size, kHatchInk, size / 4, pen);
+  canvas.outline(x, y, size, size, kQuiet, pen);
 }
 
 /// Where values lie beyond the scale the bar ends in a point.
@@ -71,53 +78,56 @@ Clipping clipping_of(const learning::Field& field, const plot::Scale& scale) {
 }
 
 void draw_points(Canvas& canvas, const plot::Colouring& colouring, const Clipping& clipping, const KeyPlace& bar) {
-  const double width = kBarWidth * bar.unit;
-  const double tall = kPoint * bar.unit;
+  const double width = kBarWidth * bar.look.unit;
+  const double tall = kPoint * bar.look.unit;
   const double bottom = bar.y + bar.height;
   const std::vector<canvas::Point> up{{bar.x, bar.y}, {bar.x + width / 2, bar.y - tall}, {bar.x + width, bar.y}};
   const std::vector<canvas::Point> down{{bar.x, bottom}, {bar.x + width / 2, bottom + tall}, {bar.x + width, bottom}};
   if (clipping.above) {
     canvas.polygon(up, colouring.colour_at(1.0));
-    canvas.polyline(up, bar.ink, 1.0);
+    canvas.polyline(up, bar.look.ink, bar.look.pen_px);
   }
   if (clipping.below) {
     canvas.polygon(down, colouring.colour_at(0.0));
-    canvas.polyline(down, bar.ink, 1.0);
+    canvas.polyline(down, bar.look.ink, bar.look.pen_px);
   }
 }
 
 void draw_bar(Canvas& canvas, const plot::Colouring& colouring, const Clipping& clipping, const KeyPlace& room) {
   KeyPlace bar = room;
-  const double point = (kPoint + 1.0) * bar.unit;
+  const double point = (kPoint + 1.0) * bar.look.unit;
   bar.y += clipping.above ? point : 0.0;
   bar.height -= (clipping.above ? point : 0.0) + (clipping.below ? point : 0.0);
-  const double width = kBarWidth * bar.unit;
-  const int steps = std::max(2, static_cast<int>(bar.height));
+  const double width = kBarWidth * bar.look.unit;
+  const double pen = bar.look.pen_px;
+  const int steps = std::max(2, static_cast<int>(bar.height / pen));
   for (int i = 0; i < steps; ++i) {
     const double top = bar.y + bar.height * i / steps;
-    canvas.rectangle(bar.x, top, width, bar.height / steps + (i + 1 < steps ? 0.5 : 0.0),
+    canvas.rectangle(bar.x, top, width, bar.height / steps + (i + 1 < steps ? 0.5 * pen : 0.0),
                      colouring.colour_at(1.0 - (i + 0.5) / steps));
   }
-  canvas.outline(bar.x, bar.y, width, bar.height, bar.ink, 1.0);
+  canvas.outline(bar.x, bar.y, width, bar.height, bar.look.ink, pen);
   draw_points(canvas, colouring, clipping, bar);
-  const BarTicks ticks = bar_ticks(colouring.scale);
-  const TextStyle style = label_style(bar.unit, bar.ink);
+  const BarTicks ticks = bar_ticks(colouring.scale, tick_count(bar.height, bar.look));
+  const TextStyle style = label_style(bar.look);
+  const double unit = bar.look.unit;
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
     const double y = std::round(bar.y + bar.height * (1.0 - colouring.scale.position(ticks.values[i])) - 0.5) + 0.5;
-    canvas.line({bar.x + width, y}, {bar.x + width + kTickLength * bar.unit, y}, bar.ink, 1.0);
-    canvas.text({bar.x + width + (kTickLength + kGap) * bar.unit, y + 0.36 * style.size_px}, ticks.labels[i], style);
+    canvas.line({bar.x + width, y}, {bar.x + width + kTickLength * unit, y}, bar.look.ink, pen);
+    canvas.text({bar.x + width + (kTickLength + kGap) * unit, y + 0.36 * style.size_px}, ticks.labels[i], style);
   }
 }
 
 void draw_classes(Canvas& canvas, const learning::Field& field, const plot::Colouring& colouring,
                   const KeyPlace& place) {
-  const TextStyle style = label_style(place.unit, place.ink);
-  const double size = kSwatch * place.unit;
+  const TextStyle style = label_style(place.look);
+  const double size = kSwatch * place.look.unit;
   for (std::size_t i = 0; i < field.categories.size(); ++i) {
-    const double y = place.y + kRow * place.unit * static_cast<double>(i);
+    const double y = place.y + kRow * place.look.unit * static_cast<double>(i);
     canvas.rectangle(place.x, y, size, size, colouring.colour(static_cast<double>(i)));
-    canvas.outline(place.x, y, size, size, kQuiet, 1.0);
-    canvas.text({place.x + size + kGap * place.unit, y + size / 2 + 0.36 * style.size_px}, field.categories[i], style);
+    canvas.outline(place.x, y, size, size, kQuiet, place.look.pen_px);
+    canvas.text({place.x + size + kGap * place.look.unit, y + size / 2 + 0.36 * style.size_px}, field.categories[i],
+                style);
   }
 }
 
@@ -126,12 +136,12 @@ void draw_classes(Canvas& canvas, const learning::Field& field, const plot::Colo
 void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
               const plot::Colouring& colouring, const KeyPlace& place) {
   const std::vector<MarkRow> marks = mark_rows(field, options);
-  const double row = kRow * place.unit;
+  const double row = kRow * place.look.unit;
   const double marks_height = static_cast<double>(marks.size()) * row;
-  double y = place.y + place.height - marks_height + row - kSwatch * place.unit;
+  double y = place.y + place.height - marks_height + row - kSwatch * place.look.unit;
   if (colouring.categories.empty()) {
     const double head = field.unit.empty() ? 0.0 : row;
-    if (head > 0.0) canvas.text({place.x, place.y + 0.6 * row}, field.unit, label_style(place.unit, place.ink));
+    if (head > 0.0) canvas.text({place.x, place.y + 0.6 * row}, field.unit, label_style(place.look));
     KeyPlace bar = place;
     bar.y += head;
     bar.height -= head + marks_height + (marks.empty() ? 0.0 : 0.8 * row);
@@ -140,25 +150,27 @@ void draw_key(Canvas& canvas, const learning::Field& field, const FieldFigureOpt
     draw_classes(canvas, field, colouring, place);
     y = place.y + row * (static_cast<double>(field.categories.size()) + 0.6);
   }
-  const TextStyle style = label_style(place.unit, place.ink);
+  const TextStyle style = label_style(place.look);
   for (const MarkRow& mark : marks) {
-    const double size = kSwatch * place.unit;
-    draw_swatch(canvas, mark.mark, place.x, y, size);
-    canvas.text({place.x + size + kGap * place.unit, y + size / 2 + 0.36 * style.size_px}, mark.text, style);
+    const double size = kSwatch * place.look.unit;
+    draw_swatch(canvas, mark.mark, place.x, y, size, place.look.pen_px);
+    canvas.text({place.x + size + kGap * place.look.unit, y + size / 2 + 0.36 * style.size_px}, mark.text, style);
     y += row;
   }
 }
 
 double key_width(const Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
-                 const plot::Colouring& colouring, double unit) {
-  const TextStyle style = label_style(unit);
+                 const plot::Colouring& colouring, const KeyLook& look) {
+  const TextStyle style = label_style(look);
   double width = field.unit.empty() ? 0.0 : canvas.text_width(field.unit, style);
   const auto beside = [&](double left, std::string_view text) {
-    width = std::max(width, left * unit + canvas.text_width(text, style));
+    width = std::max(width, left * look.unit + canvas.text_width(text, style));
   };
   for (const MarkRow& mark : mark_rows(field, options)) beside(kSwatch + kGap, mark.text);
   if (colouring.categories.empty()) {
-    for (const std::string& label : bar_ticks(colouring.scale).labels) beside(kBarWidth + kTickLength + kGap, label);
+    for (const std::string& label : bar_ticks(colouring.scale, kMostTicks).labels) {
+      beside(kBarWidth + kTickLength + kGap, label);
+    }
   } else {
     for (const std::string& name : field.categories) beside(kSwatch + kGap, name);
   }

@@ -29,6 +29,7 @@ Image with_legend(const Image& picture, const learning::Field& field, const plot
   using canvas::TextStyle;
   const double unit = unit_of(picture);
   canvas::Canvas canvas(picture);
+  const KeyLook look{unit, 14.0 * unit, 1.0, kBright};
   const TextStyle title{16.0 * unit, canvas::Weight::kSemiBold, kBright, canvas::Align::kLeft};
   const TextStyle small{13.0 * unit, canvas::Weight::kRegular, kSoft, canvas::Align::kLeft};
   const double head = (kTitleLine + (owner.empty() ? 0.0 : kTitleLine)) * unit;
@@ -41,7 +42,7 @@ Image with_legend(const Image& picture, const learning::Field& field, const plot
       (colouring.categories.empty() ? kBar : kClass * static_cast<double>(field.categories.size())) * unit;
   const double wide =
       2 * kPad * unit + std::max({canvas.text_width(field.title, title), canvas.text_width(owner, small),
-                                  key_width(canvas, known, {}, colouring, unit)});
+                                  key_width(canvas, known, {}, colouring, look)});
   const double left = picture.width - wide - kPad * unit;
   const double top = kPad * unit;
   canvas.rectangle(left, top, wide, head + bar + 2 * kPad * unit, kCard, 6.0 * unit);
@@ -50,7 +51,7 @@ Image with_legend(const Image& picture, const learning::Field& field, const plot
   canvas.text({x, base}, field.title, title);
   base += kTitleLine * unit;
   if (!owner.empty()) canvas.text({x, base - 2.0 * unit}, owner, small);
-  draw_key(canvas, known, {}, colouring, {x, top + kPad * unit + head, bar, unit, kBright});
+  draw_key(canvas, known, {}, colouring, {x, top + kPad * unit + head, bar, look});
   return canvas.picture();
 }
 

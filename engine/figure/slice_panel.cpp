@@ -11,10 +11,15 @@ constexpr Rgba kGoalFill{255, 200, 60, 255};
 // Light around dark, so that the line is seen on either end of every map.
 constexpr Rgba kSafeHalo{255, 255, 255, 190};
 
+/// Between two numbers of thin lines.
+double within(double length, double low, double high, double pen) {
+  return std::clamp(length, low * pen, high * pen);
+}
+
 /// Runs of one colour become one rectangle, so that an SVG stays small. Each reaches a little under its right and lower
 /// neighbour, or viewers show the paper between them.
 void draw_cells(canvas::Canvas& canvas, const Image& pixels, const PanelPlace& place) {
-  const double overlap = 0.35;
+  const double overlap = 0.35 * place.pen_px;
   for (int row = 0; row < pixels.height; ++row) {
     for (int column = 0; column < pixels.width;) {
       const Rgba colour = pixels.at(column, row);
@@ -34,7 +39,8 @@ void draw_cells(canvas::Canvas& canvas, const Image& pixels, const PanelPlace& p
 void draw_unknown(canvas::Canvas& canvas, const Image& pixels, const PanelPlace& place) {
   const double side = pixels.width * place.cell_px;
   canvas.rectangle(place.x, place.y, side, side, kHatchGround);
-  canvas.hatch(place.x, place.y, side, side, kHatchInk, std::clamp(0.3 * place.cell_px, 3.0, 7.0));
+  canvas.hatch(place.x, place.y, side, side, kHatchInk, within(0.3 * place.cell_px, 3.0, 7.0, place.pen_px),
+               place.pen_px);
 }
 
 struct Edge {
@@ -68,9 +74,9 @@ std::vector<Edge> outline_of(const learning::Field& field, const spatial::CellSe
   return edges;
 }
 
-void draw_outline(canvas::Canvas& canvas, const std::vector<Edge>& edges, double cell_px) {
-  const double width = std::clamp(0.09 * cell_px, 1.0, 2.5);
-  for (const Edge& edge : edges) canvas.line(edge.a, edge.b, kSafeHalo, width + 2.0);
+void draw_outline(canvas::Canvas& canvas, const std::vector<Edge>& edges, const PanelPlace& place) {
+  const double width = within(0.09 * place.cell_px, 1.0, 2.5, place.pen_px);
+  for (const Edge& edge : edges) canvas.line(edge.a, edge.b, kSafeHalo, width + 2.0 * place.pen_px);
   for (const Edge& edge : edges) draw_safe_line(canvas, edge.a, edge.b, width);
 }
 
@@ -83,45 +89,45 @@ void draw_path(canvas::Canvas& canvas, const learning::Field& field, const learn
     const std::optional<FlatCell> at = flat_cell(field.grid, slice, cell);
     if (!at) continue;
     draw_path_mark(canvas, {place.x + (at->column + 0.5) * place.cell_px, place.y + (at->row + 0.5) * place.cell_px},
-                   std::clamp(0.24 * place.cell_px, 1.0, 6.0));
+                   within(0.24 * place.cell_px, 1.0, 6.0, place.pen_px), place.pen_px);
   }
 }
 
 void draw_ends(canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
                const Slice& slice, const PanelPlace& place) {
   // Larger than a small cell: the two ends are what is looked for in a montage.
-  const double radius = std::clamp(0.42 * place.cell_px, 4.0, 10.0);
+  const double radius = within(0.42 * place.cell_px, 4.0, 10.0, place.pen_px);
   const auto centre = [&](const std::optional<spatial::CellIndex>& cell) -> std::optional<canvas::Point> {
     const std::optional<FlatCell> at = cell ? flat_cell(field.grid, slice, *cell) : std::nullopt;
     if (!at) return std::nullopt;
     return canvas::Point{place.x + (at->column + 0.5) * place.cell_px, place.y + (at->row + 0.5) * place.cell_px};
   };
-  if (const auto at = centre(options.start)) draw_start_mark(canvas, *at, radius);
-  if (const auto at = centre(options.goal)) draw_goal_mark(canvas, *at, radius);
+  if (const auto at = centre(options.start)) draw_start_mark(canvas, *at, radius, place.pen_px);
+  if (const auto at = centre(options.goal)) draw_goal_mark(canvas, *at, radius, place.pen_px);
 }
 
 }  // namespace
 
-void draw_start_mark(canvas::Canvas& canvas, canvas::Point centre, double radius) {
-  const double rim = std::max(1.0, 0.22 * radius);
+void draw_start_mark(canvas::Canvas& canvas, canvas::Point centre, double radius, double pen) {
+  const double rim = std::max(pen, 0.22 * radius);
   const double half = 0.78 * radius;
   canvas.rectangle(centre.x - half - rim, centre.y - half - rim, 2 * (half + rim), 2 * (half + rim), kInk);
   canvas.rectangle(centre.x - half, centre.y - half, 2 * half, 2 * half, kPaper);
 }
 
-void draw_goal_mark(canvas::Canvas& canvas, canvas::Point centre, double radius) {
+void draw_goal_mark(canvas::Canvas& canvas, canvas::Point centre, double radius, double pen) {
   const auto diamond = [&centre](double reach) {
     return std::vector<canvas::Point>{{centre.x, centre.y - reach},
                                       {centre.x + reach, centre.y},
                                       {centre.x, centre.y + reach},
                                       {centre.x - reach, centre.y}};
   };
-  canvas.polygon(diamond(1.15 * radius + std::max(1.4, 0.31 * radius)), kInk);
+  canvas.polygon(diamond(1.15 * radius + std::max(1.4 * pen, 0.31 * radius)), kInk);
   canvas.polygon(diamond(1.15 * radius), kGoalFill);
 }
 
-void draw_path_mark(canvas::Canvas& canvas, canvas::Point centre, double radius) {
-  canvas.circle(centre, radius + std::max(0.7, 0.22 * radius), kInk);
+void draw_path_mark(canvas::Canvas& canvas, canvas::Point centre, double radius, double pen) {
+  canvas.circle(centre, radius + std::max(0.7 * pen, 0.22 * radius), kInk);
   canvas.circle(centre, radius, kPaper);
 }
 
@@ -134,11 +140,11 @@ void draw_panel(canvas::Canvas& canvas, const learning::Field& field, const Fiel
   const Image pixels = slice_pixels(field, slice, colouring);
   draw_unknown(canvas, pixels, place);
   draw_cells(canvas, pixels, place);
-  if (!options.safe.empty()) draw_outline(canvas, outline_of(field, options.safe, slice, place), place.cell_px);
+  if (!options.safe.empty()) draw_outline(canvas, outline_of(field, options.safe, slice, place), place);
   draw_path(canvas, field, options.path, slice, place);
   draw_ends(canvas, field, options, slice, place);
   const double side = pixels.width * place.cell_px;
-  canvas.outline(place.x, place.y, side, side, kInk, 1.0);
+  canvas.outline(place.x, place.y, side, side, kInk, place.pen_px);
 }
 
 }  // namespace trocar::figure

@@ -13,19 +13,20 @@ constexpr Rgba kPaper{255, 255, 255, 255};
 constexpr Rgba kHatchGround{247, 247, 248, 255};
 constexpr Rgba kHatchInk{172, 177, 185, 255};
 
-/// Where a panel lies: its top left corner and the width of a cell, in pixels.
+/// Where a panel lies: its top left corner and the width of a cell, in pixels; and how wide thin lines are.
 struct PanelPlace {
   double x = 0.0;
   double y = 0.0;
   double cell_px = 1.0;
+  double pen_px = 1.0;
 };
 
 void draw_panel(canvas::Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
                 const plot::Colouring& colouring, const Slice& slice, const PanelPlace& place);
 /// The marks as `draw_panel` draws them, for the legend.
-void draw_path_mark(canvas::Canvas& canvas, canvas::Point centre, double radius);
-void draw_start_mark(canvas::Canvas& canvas, canvas::Point centre, double radius);
-void draw_goal_mark(canvas::Canvas& canvas, canvas::Point centre, double radius);
+void draw_path_mark(canvas::Canvas& canvas, canvas::Point centre, double radius, double pen);
+void draw_start_mark(canvas::Canvas& canvas, canvas::Point centre, double radius, double pen);
+void draw_goal_mark(canvas::Canvas& canvas, canvas::Point centre, double radius, double pen);
 void draw_safe_line(canvas::Canvas& canvas, canvas::Point a, canvas::Point b, double width);
 
 }  // namespace trocar::figure

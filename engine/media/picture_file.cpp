@@ -37,7 +37,7 @@ Result<Image> decode(std::string_view bytes) {
 
 }  // namespace
 
-Status write_png(const std::filesystem::path& path, const Image& image) {
+Status write_png(const std::filesystem::path& path, const Image& image, std::optional<double> dpi) {
   if (image.empty()) {
     return tl::unexpected(Error(ErrorCode::kInvalidArgument, "the picture has no pixels").at(path.string()));
   }
@@ -46,6 +46,7 @@ Status write_png(const std::filesystem::path& path, const Image& image) {
   if (api->png_encode(image.rgba.data(), image.width, image.height, &bytes, append) == 0) {
     return tl::unexpected(Error(ErrorCode::kIo, "the picture cannot be encoded").at(path.string()));
   }
+  if (dpi) add_resolution(bytes, *dpi);
   return write_file(path, bytes);
 }
 

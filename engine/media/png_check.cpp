@@ -1,6 +1,7 @@
 #include "engine/media/png_check.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace trocar::media {
@@ -30,6 +31,12 @@ std::uint32_t crc(std::string_view bytes) {
   std::uint32_t c = 0xFFFFFFFFU;
   for (const char byte : bytes) c = kTable[(c ^ static_cast<std::uint8_t>(byte)) & 0xFFU] ^ (c >> 8U);
   return ~c;
+}
+
+std::string big_endian_bytes(std::uint32_t value) {
+  std::string bytes;
+  for (unsigned shift = 32; shift > 0; shift -= 8) bytes += static_cast<char>(value >> (shift - 8) & 0xFFU);
+  return bytes;
 }
 
 Status corrupt(const char* what) {
@@ -72,6 +79,14 @@ Status check_png(std::string_view bytes) {
     if (type == "IEND") return has_pixels ? Status() : corrupt("the picture has no pixels");
     bytes.remove_prefix(12 + length);
   }
+}
+
+void add_resolution(std::string& png, double dpi) {
+  constexpr std::size_t kHeaderEnd = 8 + 12 + 13;  // signature, and a chunk of 13 bytes
+  constexpr double kInch_m = 0.0254;
+  const std::string per_metre = big_endian_bytes(static_cast<std::uint32_t>(std::lround(dpi / kInch_m)));
+  const std::string chunk = "pHYs" + per_metre + per_metre + '\x01';
+  png.insert(kHeaderEnd, big_endian_bytes(9) + chunk + big_endian_bytes(crc(chunk)));
 }
 
 }  // namespace trocar::media

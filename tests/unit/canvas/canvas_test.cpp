@@ -32,7 +32,7 @@ std::string drawn_svg(const char* name) {
   canvas.rectangle(10, 10, 30, 20, {255, 0, 0, 255}, 4.0);
   canvas.text({60, 40}, "θ < 5 & q", {14.0, Weight::kBold, {0, 0, 0, 255}, Align::kCentre});
   canvas.image(Image(2, 2, {1, 2, 3, 255}), 50, 50, 20, 20);
-  REQUIRE(canvas.save_svg(path));
+  REQUIRE(canvas.save(path));
   const std::string text = read_file(path).value();
   fs::remove(path);
   return text;
@@ -146,9 +146,29 @@ TEST_CASE("an SVG is one document of the size asked for, the same each time") {
   CHECK((drawn_svg("trocar_canvas_again_") == text));
 }
 
+TEST_CASE("on paper a drawing is as large as its points say, and the same each time") {
+  const auto drawn = [](Canvas canvas, const char* name) {
+    canvas.rectangle(10, 10, 50, 20, {20, 60, 90, 200});
+    canvas.text({10, 60}, "Reward θ", {33.0, Weight::kBold, {0, 0, 0, 255}, Align::kLeft});
+    const fs::path path = fs::temp_directory_path() / (std::string(name) + std::to_string(::getpid()));
+    REQUIRE(canvas.save(path));
+    std::string bytes = read_file(path).value();
+    fs::remove(path);
+    return bytes;
+  };
+  const std::string pdf = drawn(Canvas::pdf(120, 80, 0.24), "trocar_canvas_pdf_");
+  CHECK(pdf.starts_with("%PDF-1."));
+  CHECK(pdf.find("/MediaBox [ 0 0 28.8 19.2 ]") != std::string::npos);
+  CHECK(pdf.find("/FontFile") != std::string::npos);  // text is text
+  CHECK(pdf.find("CreationDate") == std::string::npos);
+  CHECK((drawn(Canvas::pdf(120, 80, 0.24), "trocar_canvas_pdf_again_") == pdf));
+  const std::string svg = drawn(Canvas::svg_on_paper(120, 80, 0.24), "trocar_canvas_paper_");
+  CHECK(svg.find("width=\"28.8pt\" height=\"19.2pt\" viewBox=\"0 0 28.8 19.2\"") != std::string::npos);
+}
+
 TEST_CASE("an SVG for a folder that does not exist is an I/O error") {
   Canvas canvas = Canvas::svg(10, 10);
-  const Status status = canvas.save_svg("/nowhere/at/all.svg");
+  const Status status = canvas.save("/nowhere/at/all.svg");
   REQUIRE_FALSE(status);
   CHECK(status.error().code() == ErrorCode::kIo);
 }

@@ -53,6 +53,22 @@ TEST_CASE("a PNG gives back every pixel, opaque or not") {
   }
 }
 
+TEST_CASE("a PNG says how many pixels an inch has, and is the same picture") {
+  const fs::path path = scratch("dpi.png");
+  REQUIRE(write_png(path, gradient(true), 300.0));
+  const std::string bytes = read_file(path).value();
+  CHECK(check_png(bytes));
+  CHECK(read_picture(path).value() == gradient(true));
+  const std::size_t at = bytes.find("pHYs");
+  REQUIRE(at != std::string::npos);
+  CHECK(at < bytes.find("IDAT"));
+  // 300 / 0.0254 = 11811 = 0x2E23 pixels a metre, along both.
+  CHECK((bytes.substr(at - 4, 17) == std::string("\0\0\0\x09pHYs\0\0\x2E\x23\0\0\x2E\x23\x01", 17)));
+  REQUIRE(write_png(path, gradient(true)));
+  CHECK(read_file(path).value().find("pHYs") == std::string::npos);
+  fs::remove(path);
+}
+
 TEST_CASE("a PNG cut short anywhere, or with one bit turned, is corrupt") {
   const fs::path path = scratch("whole.png");
   const fs::path damaged = scratch("damaged.png");
