@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/commands/print_arguments.h"
 #include "app/lookup.h"
 #include "app/options.h"
-#include "engine/media/picture_file.h"
-#include "engine/workbench/insight.h"
 #include "engine/workbench/jobs/field_job.h"
 
 namespace trocar::app {
@@ -22,6 +21,8 @@ struct ExportArguments {
   std::string map;
   std::string vision = "full";
   int width = 1000;
+  std::string preset;
+  double dpi = 0.0;
   std::string out;
   std::vector<const CLI::Option*> of_pictures;  ///< What says how a picture looks, and numbers cannot heed.
 };
@@ -43,16 +44,22 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
       verb.add_option("--vision", arguments.vision,
                       "The colours as seen by full, protan, deutan, tritan or grey vision")
           ->capture_default_str(),
-      verb.add_option("--width", arguments.width, "Width of the picture in pixels")
-          ->check(CLI::Range(100, 8192))
-          ->capture_default_str()};
-  verb.add_option("--out", arguments.out, "F.png, F.svg, F.csv or F.npy")->required();
+      verb.add_option("--preset", arguments.preset, kPresetHelp),
+      verb.add_option("--dpi", arguments.dpi, kDpiHelp)->check(CLI::Range(kLeastDpi, kMostDpi))};
+  CLI::Option* width = verb.add_option("--width", arguments.width, "Width of the picture in pixels")
+                           ->check(CLI::Range(100, 8192))
+                           ->capture_default_str()
+                           ->excludes("--preset");
+  arguments.of_pictures.push_back(width);
+  verb.add_option("--out", arguments.out,
+                  "F.png, F.svg or F.pdf; or the numbers: F.csv, F.npy, F.vti (VTK) or F.h5 (HDF5)")
+      ->required();
 }
 
 /// Errors: kInvalidArgument for an option that would be ignored.
 Status check_heeded(const ExportArguments& arguments) {
   const std::filesystem::path out = arguments.out;
-  if (out.extension() != ".csv" && out.extension() != ".npy") return {};
+  if (workbench::is_drawn(out)) return check_dpi(arguments.dpi, out);
   for (const CLI::Option* option : arguments.of_pictures) {
     if (option->count() == 0) continue;
     return tl::unexpected(
@@ -73,36 +80,38 @@ std::string contents(const learning::Field& field) {
   return text;
 }
 
-Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
-  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png", ".svg", ".csv", ".npy"}));
-  TROCAR_RETURN_IF_ERROR(check_heeded(arguments));
-  TROCAR_ASSIGN_OR_RETURN(const learning::Layer layer, learning::layer_from(arguments.layer));
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
-  TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
-  warn_if_stale(*file.project(), *entry, console);
-  const learning::Field field = workbench::field_of(*entry->model, layer);
-  figure::FieldFigureOptions options = workbench::figure_options(*entry, field);
-  if (!arguments.slice.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(options.slice, figure::slice_from(arguments.slice, field.grid));
-  }
+Result<workbench::FieldExport> request_of(const ExportArguments& arguments) {
+  workbench::FieldExport request;
+  TROCAR_ASSIGN_OR_RETURN(request.layer, learning::layer_from(arguments.layer));
+  request.slice = arguments.slice;
+  request.path = arguments.out;
   if (!arguments.scale.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(options.scale, plot::scale_kind_from(arguments.scale));
+    TROCAR_ASSIGN_OR_RETURN(request.look.scale, plot::scale_kind_from(arguments.scale));
   }
   if (!arguments.map.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(options.map, plot::colour_map_from(arguments.map));
+    TROCAR_ASSIGN_OR_RETURN(request.look.map, plot::colour_map_from(arguments.map));
   }
-  TROCAR_ASSIGN_OR_RETURN(options.vision, plot::colour_vision_from(arguments.vision));
-  options.width_px = arguments.width;
-  const std::filesystem::path out = arguments.out;
+  TROCAR_ASSIGN_OR_RETURN(request.look.vision, plot::colour_vision_from(arguments.vision));
+  request.look.width_px = arguments.width;
+  request.look.preset = arguments.preset;
+  if (arguments.dpi > 0.0) request.look.dpi = arguments.dpi;
+  return request;
+}
+
+Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
+  TROCAR_RETURN_IF_ERROR(
+      check_output(arguments.out, arguments.project, {".png", ".svg", ".pdf", ".csv", ".npy", ".vti", ".h5", ".hdf5"}));
+  TROCAR_RETURN_IF_ERROR(check_heeded(arguments));
+  TROCAR_ASSIGN_OR_RETURN(workbench::FieldExport request, request_of(arguments));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
+  TROCAR_ASSIGN_OR_RETURN(request.model, find_model(*file.project(), arguments.model));
+  warn_if_stale(*file.project(), *request.model, console);
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
-  if (out.extension() == ".png") {
-    TROCAR_RETURN_IF_ERROR(media::write_png(out, figure::draw_field(field, options)));
-  } else {
-    TROCAR_RETURN_IF_ERROR(figure::save_field(field, options, out));
-  }
+  TROCAR_ASSIGN_OR_RETURN(const learning::Field field, workbench::export_field(request));
+  const std::filesystem::path& out = request.path;
   std::error_code ignored;
   Answer answer;
-  answer.json = {{"layer", learning::to_string(layer)},
+  answer.json = {{"layer", learning::to_string(request.layer)},
                  {"out", arguments.out},
                  {"low", field.low()},
                  {"high", field.high()},

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "app/commands/model_study_commands.h"
 #include "app/commands/train_arguments.h"
 #include "app/lookup.h"
 #include "app/options.h"
+#include "engine/exchange/lattice_table.h"
 #include "engine/learning/model_comparison.h"
 #include "engine/workbench/jobs/train_job.h"
 
@@ -27,11 +30,12 @@ std::string method_text(const learning::Model& model) {
 }
 
 bool is_sampled(const learning::Model& model) {
-  return model.options.method != learning::Method::kExact;
+  return learning::is_sampled(model.options.method);
 }
 
 /// How the training went, from the JSON: what was explored, or how the solver ended.
 std::string learned_text(const Json& json) {
+  if (json["method"] == "imported") return "imported";
   if (json["fully_explored"].is_null()) {
     return fmt::format("{} iterations", json["iterations"].get<std::size_t>());
   }
@@ -74,7 +78,7 @@ Json summary_json(const workbench::Project& project, const workbench::ModelEntry
                {"fully_explored", if_sampled(exploration.fully_explored)},
                {"partly_explored", if_sampled(exploration.partly_explored)},
                {"fully_unexplored", if_sampled(exploration.fully_unexplored)},
-               {"iterations", is_sampled(model) ? Json() : Json(model.curve.size())},
+               {"iterations", model.options.method == learning::Method::kExact ? Json(model.curve.size()) : Json()},
                {"mismatch", model.curve.empty() ? Json() : Json(model.curve.back())},
                {"stale", project.stale(entry)},
                {"hash", hash_text(model.hash())},
@@ -102,9 +106,9 @@ Json full_json(const workbench::Project& project, const workbench::ModelEntry& e
 }
 
 std::string line_of(const Json& json) {
-  return fmt::format("{}: {}, {} from the start, {:.3f} s", json["name"].get<std::string>(), learned_text(json),
-                     json["arrival_from_start"].get<bool>() ? "arrives" : "does not arrive",
-                     json["seconds"].get<double>());
+  const std::string time = json["method"] == "imported" ? "" : fmt::format(", {:.3f} s", json["seconds"].get<double>());
+  return fmt::format("{}: {}, {} from the start{}", json["name"].get<std::string>(), learned_text(json),
+                     json["arrival_from_start"].get<bool>() ? "arrives" : "does not arrive", time);
 }
 
 Result<Answer> run_train(const TrainModelArguments& arguments, Console& console) {
@@ -122,6 +126,86 @@ Result<Answer> run_train(const TrainModelArguments& arguments, Console& console)
   answer.json["seconds"] = trained.model->seconds;
   answer.summary = line_of(answer.json);
   answer.text = fmt::format("Model {}, {}", id, answer.summary);
+  return answer;
+}
+
+struct ImportArguments {
+  std::string project;
+  workbench::ImportTable table;
+  std::string file;
+  std::string kind;
+  std::vector<std::string> demonstrations;
+  std::string segment = "A";
+};
+
+void bind_import(CLI::App& verb, ImportArguments& arguments) {
+  verb.add_option("PROJECT", arguments.project, "The project file")->required();
+  verb.add_option("FILE", arguments.file,
+                  "F.npy of n×n×n×6 or n³×6 (θ: n×n×n or n³), or F.csv with a header i,j,k,+x,-x,+y,-y,+z,-z (θ: "
+                  "i,j,k,theta) or rows in that order; NaN is unknown")
+      ->required();
+  verb.add_option("--kind", arguments.kind,
+                  "q, in the order " + exchange::table_order(learning::TableKind::kQ) + "; or theta, in the order " +
+                      exchange::table_order(learning::TableKind::kTheta))
+      ->required();
+  verb.add_option("--demo", arguments.demonstrations,
+                  "Demonstrations by id or name: the first gives start and goal, all of them the safe set")
+      ->required();
+  verb.add_option("--segment", arguments.segment, "A (to the block) or C (to the hand-off)")->capture_default_str();
+  verb.add_option("--grid", arguments.table.grid, "Cells a side of the table")->capture_default_str();
+  verb.add_option("--safe-radius", arguments.table.safe_radius,
+                  "Cells around the demonstration that the agent never leaves")
+      ->capture_default_str();
+  verb.add_option("--name", arguments.table.name, "Name of the model (else that of the file)");
+}
+
+Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
+  workbench::ImportTable request = arguments.table;
+  request.path = arguments.file;
+  TROCAR_ASSIGN_OR_RETURN(request.kind, learning::table_kind_from(arguments.kind));
+  TROCAR_ASSIGN_OR_RETURN(request.segment, agents_segment(arguments.segment));
+  TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kWhole));
+  for (const std::string& text : arguments.demonstrations) {
+    TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), text));
+    request.demonstrations.push_back(demonstration->id);
+  }
+  if (!request.name.empty()) request.name = free_model_name(*file.project(), request.name, console);
+  TROCAR_ASSIGN_OR_RETURN(workbench::ModelEntry imported, workbench::import_table(*file.project(), request));
+  imported.created = iso_time(console.clock->unix_s());
+  TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.add_model(imported, console.progress()));
+  Answer answer;
+  answer.json = full_json(*file.project(), *file.project()->models.at(workbench::ModelId{id}));
+  answer.summary = line_of(answer.json);
+  answer.text = fmt::format("Model {}, {}", id, answer.summary);
+  return answer;
+}
+
+struct ExportArguments {
+  std::string project;
+  std::string model;
+  std::string kind = "q";
+  std::string out;
+};
+
+Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
+  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".npy", ".csv"}));
+  TROCAR_ASSIGN_OR_RETURN(const learning::TableKind kind, learning::table_kind_from(arguments.kind));
+  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
+  TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
+  warn_if_stale(*file.project(), *entry, console);
+  const std::vector<double> table = learning::table_of(*entry->model, kind);
+  TROCAR_RETURN_IF_ERROR(exchange::write_table(table, kind, entry->model->grid, arguments.out));
+  const auto known = std::count_if(table.begin(), table.end(), [](double value) { return std::isfinite(value); });
+  Answer answer;
+  answer.json = {{"model", entry->id.value},
+                 {"kind", learning::to_string(kind)},
+                 {"order", exchange::table_order(kind)},
+                 {"numbers", table.size()},
+                 {"known", known},
+                 {"out", arguments.out}};
+  answer.summary =
+      fmt::format("{} numbers, {} of them known; the order is {}", table.size(), known, exchange::table_order(kind));
+  answer.text = fmt::format("Wrote {}: {}", arguments.out, answer.summary);
   return answer;
 }
 
@@ -247,9 +331,22 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
 }  // namespace
 
 void add_model_commands(CLI::App& root, Action& chosen) {
-  CLI::App& noun = *root.add_subcommand("model", "Train models, list and compare them")->require_subcommand(1);
+  CLI::App& noun =
+      *root.add_subcommand("model", "Train or import models, list and compare them")->require_subcommand(1);
   add_verb<TrainModelArguments>(noun, chosen, "train", "Learn reward and policy from demonstrations", bind_train,
                                 run_train);
+  add_verb<ImportArguments>(noun, chosen, "import",
+                            "Make a model of a Q-table or of rewards θ that were learned elsewhere", bind_import,
+                            run_import);
+  add_verb<ExportArguments>(
+      noun, chosen, "export", "Write a model's Q-table or rewards θ for other programs",
+      [](CLI::App& verb, ExportArguments& a) {
+        verb.add_option("PROJECT", a.project, "The project file")->required();
+        verb.add_option("MODEL", a.model, "Its id or name")->required();
+        verb.add_option("--kind", a.kind, "q or theta")->capture_default_str();
+        verb.add_option("--out", a.out, "F.npy or F.csv")->required();
+      },
+      run_export);
   add_verb<ListArguments>(
       noun, chosen, "list", "List the models",
       [](CLI::App& verb, ListArguments& a) { verb.add_option("PROJECT", a.project, "The project file")->required(); },

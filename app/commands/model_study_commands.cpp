@@ -43,7 +43,7 @@ Result<Subject> subject_of(const StudyArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           open_to_read(arguments.training.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const workbench::TrainModel request, training_of(arguments.training, *file.project()));
-  TROCAR_ASSIGN_OR_RETURN(const spatial::Grid grid, workbench::training_grid(request));
+  TROCAR_ASSIGN_OR_RETURN(const spatial::Grid grid, workbench::training_grid(request.grid));
   std::vector<std::shared_ptr<const demonstration::Demonstration>> demonstrations;
   for (const auto id : request.demonstrations) demonstrations.push_back(file.project()->demonstrations.at(id));
   TROCAR_ASSIGN_OR_RETURN(std::vector<learning::CellSequence> experts,

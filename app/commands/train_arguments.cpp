@@ -5,9 +5,6 @@
 #include "app/lookup.h"
 
 namespace trocar::app {
-namespace {
-
-/// Errors: kInvalidArgument for what is no segment, and for the operator's.
 Result<demonstration::Segment> agents_segment(const std::string& text) {
   TROCAR_ASSIGN_OR_RETURN(const demonstration::Segment segment, segment_from(text));
   if (segment == demonstration::Segment::kA || segment == demonstration::Segment::kC) return segment;
@@ -16,8 +13,6 @@ Result<demonstration::Segment> agents_segment(const std::string& text) {
                           "that only these are learned",
                           demonstration::letter(segment)));
 }
-
-}  // namespace
 
 void bind_training(CLI::App& verb, TrainArguments& arguments) {
   learning::TrainOptions& options = arguments.options;

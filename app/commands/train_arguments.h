@@ -20,6 +20,9 @@ struct TrainArguments {
   int grid = 22;
 };
 
+/// Errors: kInvalidArgument for what is no segment, and for the operator's.
+Result<demonstration::Segment> agents_segment(const std::string& text);
+
 /// PROJECT, DEMO…, --segment, --method, --grid and one option for each hyperparameter.
 void bind_training(CLI::App& verb, TrainArguments& arguments);
 

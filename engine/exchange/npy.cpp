@@ -158,6 +158,35 @@ class NpyReader {
   std::size_t count_ = 0;
 };
 
+/// "(22, 22, 22, 6)", "(7,)" or "()".
+std::optional<std::vector<std::size_t>> parse_lengths(std::string_view text) {
+  constexpr std::size_t kMostDimensions = 32;  // NumPy's own limit
+  std::vector<std::size_t> lengths;
+  if (!text.starts_with('(')) return std::nullopt;
+  text.remove_prefix(1);
+  while (!text.starts_with(')')) {
+    if (lengths.size() == kMostDimensions || !take_count(text, lengths.emplace_back())) return std::nullopt;
+    if (text.starts_with(',')) {
+      text.remove_prefix(1);
+    } else if (!text.starts_with(')')) {
+      return std::nullopt;
+    }
+    while (text.starts_with(' ')) text.remove_prefix(1);
+  }
+  return lengths;
+}
+
+/// What comes before the numbers of float64 in C order.
+std::string head_of(std::string_view shape) {
+  std::string dictionary = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': {}, }}", shape);
+  const std::size_t prefix = kMagic.size() + 4;
+  while ((prefix + dictionary.size() + 1) % kAlignment != 0) dictionary += ' ';
+  dictionary += '\n';
+  std::string bytes(kMagic);
+  bytes += {'\x01', '\x00', static_cast<char>(dictionary.size() & 0xFF), static_cast<char>(dictionary.size() >> 8)};
+  return bytes + dictionary;
+}
+
 template <typename Number>
 double number_at(std::string_view data, std::size_t i) {
   Number value{};
@@ -167,45 +196,74 @@ double number_at(std::string_view data, std::size_t i) {
 
 }  // namespace
 
-Result<NpyArray> read_npy_array(std::string_view bytes) {
+Result<std::vector<std::size_t>> read_npy_shape(std::string_view bytes) {
   const std::optional<NpyHeader> header = split_header(bytes);
   if (!header) return corrupt("the file is not a NumPy array");
-  const std::string_view type = value_of(header->dictionary, "descr").substr(0, 5);
-  const bool wide = type == "'<f8'" || type == "'<i8'";
-  if (!wide && type != "'<f4'" && type != "'<i4'") {
+  std::optional<std::vector<std::size_t>> shape = parse_lengths(value_of(header->dictionary, "shape"));
+  if (!shape) return corrupt("the array has no shape");
+  return std::move(*shape);
+}
+
+Result<NpyNumbers> read_npy_numbers(std::string_view bytes) {
+  NpyNumbers numbers;
+  TROCAR_ASSIGN_OR_RETURN(numbers.shape, read_npy_shape(bytes));
+  const NpyHeader header = *split_header(bytes);
+  const std::string_view type = value_of(header.dictionary, "descr").substr(0, 5);
+  const auto read = type == "'<f8'"   ? number_at<double>
+                    : type == "'<i8'" ? number_at<std::int64_t>
+                    : type == "'<f4'" ? number_at<float>
+                    : type == "'<i4'" ? number_at<std::int32_t>
+                                      : nullptr;
+  if (read == nullptr) {
     return fail(ErrorCode::kUnsupported, "the array must be of little-endian numbers ('<f8', '<f4', '<i8' or '<i4')");
   }
-  const std::optional<Shape> shape = parse_shape(value_of(header->dictionary, "shape"));
-  if (!shape || shape->width == 0) return corrupt("the array must have two dimensions, samples and columns");
-  const std::size_t count = header->data.size() / (wide ? 8 : 4);
-  const bool fits = count % shape->width == 0 && count / shape->width == shape->rows;
-  if (!fits || header->data.size() % (wide ? 8 : 4) != 0 || shape->rows == 0) {
-    return corrupt(fmt::format("the array's {} rows do not fit its {} bytes", shape->rows, header->data.size()));
+  const std::size_t each = type[3] == '8' ? 8 : 4;
+  const std::size_t stored = header.data.size() / each;
+  std::size_t count = 1;
+  for (const std::size_t length : numbers.shape) {
+    // More than the file has is as good as endless, and does not overflow.
+    count = length != 0 && count > stored / length ? stored + 1 : count * length;
   }
-  const bool columns_first = value_of(header->dictionary, "fortran_order").starts_with("True");
-  const auto read = type == "'<f8'"   ? number_at<double>
-                    : type == "'<f4'" ? number_at<float>
-                    : type == "'<i8'" ? number_at<std::int64_t>
-                                      : number_at<std::int32_t>;
-  NpyArray array{shape->width, std::vector<double>(count)};
-  for (std::size_t row = 0; row < shape->rows; ++row) {
-    for (std::size_t i = 0; i < shape->width; ++i) {
-      const std::size_t at = columns_first ? i * shape->rows + row : row * shape->width + i;
-      array.values[row * shape->width + i] = read(header->data, at);
+  if (count != stored || header.data.size() % each != 0) {
+    return corrupt(fmt::format("the array's shape does not fit its {} bytes", header.data.size()));
+  }
+  numbers.values.resize(count);
+  if (!value_of(header.dictionary, "fortran_order").starts_with("True")) {
+    for (std::size_t i = 0; i < count; ++i) numbers.values[i] = read(header.data, i);
+    return numbers;
+  }
+  std::vector<std::size_t> index(numbers.shape.size(), 0);  // of the i-th number in C order
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t at = 0;
+    for (std::size_t axis = index.size(); axis-- > 0;) at = at * numbers.shape[axis] + index[axis];
+    numbers.values[i] = read(header.data, at);
+    for (std::size_t axis = index.size(); axis-- > 0;) {
+      if (++index[axis] < numbers.shape[axis]) break;
+      index[axis] = 0;
     }
   }
-  return array;
+  return numbers;
+}
+
+std::string to_npy(const NpyNumbers& numbers) {
+  std::string shape;
+  for (const std::size_t length : numbers.shape) shape += fmt::format("{}, ", length);
+  std::string bytes = head_of(fmt::format("({})", shape));
+  bytes.append(reinterpret_cast<const char*>(numbers.values.data()), numbers.values.size() * sizeof(double));
+  return bytes;
+}
+
+Result<NpyArray> read_npy_array(std::string_view bytes) {
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<std::size_t> shape, read_npy_shape(bytes));
+  if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0) {
+    return corrupt("the array must have two dimensions, samples and columns");
+  }
+  TROCAR_ASSIGN_OR_RETURN(NpyNumbers numbers, read_npy_numbers(bytes));
+  return NpyArray{shape[1], std::move(numbers.values)};
 }
 
 std::string npy_head(std::size_t rows) {
-  std::string dictionary =
-      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns().size());
-  const std::size_t prefix = kMagic.size() + 4;
-  while ((prefix + dictionary.size() + 1) % kAlignment != 0) dictionary += ' ';
-  dictionary += '\n';
-  std::string bytes(kMagic);
-  bytes += {'\x01', '\x00', static_cast<char>(dictionary.size() & 0xFF), static_cast<char>(dictionary.size() >> 8)};
-  return bytes + dictionary;
+  return head_of(fmt::format("({}, {})", rows, columns().size()));
 }
 
 void add_npy_row(const demonstration::Sample& sample, std::string& bytes) {

@@ -26,12 +26,24 @@ Result<Imported> read_npy(const std::filesystem::path& path);
 /// Whether an array that begins so has as many columns as a demonstration. Errors: kCorrupt for what is no array.
 Result<bool> is_demonstration_npy(std::string_view beginning);
 
+/// Any array of numbers: real or whole, of 4 or 8 bytes, little-endian, in C or in Fortran order.
+struct NpyNumbers {
+  std::vector<std::size_t> shape;
+  std::vector<double> values;  ///< In C order: the last index runs fastest.
+};
+/// The shape alone, before anything is made of its size. Errors: kCorrupt.
+Result<std::vector<std::size_t>> read_npy_shape(std::string_view bytes);
+/// Errors: kCorrupt, also for numbers that do not fit the shape; kUnsupported.
+Result<NpyNumbers> read_npy_numbers(std::string_view bytes);
+/// Little-endian float64 in C order. Precondition: the numbers fit the shape.
+std::string to_npy(const NpyNumbers& numbers);
+
 /// Any array of two dimensions.
 struct NpyArray {
   std::size_t width = 1;
   std::vector<double> values;  ///< By rows.
 };
-/// Real or whole numbers of 4 or 8 bytes, little-endian, in C or in Fortran order. Errors: kCorrupt, kUnsupported.
+/// Errors: kCorrupt, kUnsupported.
 Result<NpyArray> read_npy_array(std::string_view bytes);
 
 }  // namespace trocar::exchange

@@ -87,7 +87,7 @@ FieldFigureOptions suggested_options(const learning::Field& field, const learnin
   options.start = model.start;
   options.goal = model.goal;
   options.subtitle = learning::to_string(model.options.method);
-  if (model.options.method != learning::Method::kExact) {
+  if (learning::is_sampled(model.options.method)) {
     options.subtitle += fmt::format(", ε = {}, {} episodes, seed {}", model.options.epsilon,
                                     grouped(model.options.episodes), model.options.seed);
   }

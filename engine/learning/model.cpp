@@ -13,7 +13,7 @@
 namespace trocar::learning {
 namespace {
 
-constexpr std::array<std::string_view, 3> kMethodNames{"eg-maxent", "eg-maxent+", "exact"};
+constexpr std::array<std::string_view, 4> kMethodNames{"eg-maxent", "eg-maxent+", "exact", "imported"};
 constexpr std::array<std::string_view, 3> kPresetNames{"paper", "product", "exact"};
 
 template <typename T>
@@ -34,11 +34,15 @@ std::string_view to_string(Method method) {
 }
 
 Result<Method> method_from(std::string_view text) {
-  for (std::size_t i = 0; i < kMethodNames.size(); ++i) {
-    if (text == kMethodNames[i]) return static_cast<Method>(i);
+  for (const Method method : {Method::kEgMaxent, Method::kEgMaxentPlus, Method::kExact}) {
+    if (text == to_string(method)) return method;
   }
   return fail(ErrorCode::kInvalidArgument,
               fmt::format("\"{}\" is no learning method: use eg-maxent, eg-maxent+ or exact", text));
+}
+
+bool is_sampled(Method method) {
+  return method == Method::kEgMaxent || method == Method::kEgMaxentPlus;
 }
 
 std::string_view to_string(Preset preset) {
@@ -85,6 +89,9 @@ std::uint64_t Model::hash() const {
 Result<Model> train(const spatial::Grid& grid, const std::vector<CellSequence>& experts, const TrainOptions& options,
                     Progress& progress) {
   TROCAR_RETURN_IF_ERROR(check_training(grid, experts, options));
+  if (options.method == Method::kImported) {
+    return fail(ErrorCode::kInvalidArgument, "an imported model was learned elsewhere and cannot be trained");
+  }
   const auto begin = std::chrono::steady_clock::now();
   Model model = untrained_model(grid, experts, options);
   const Status trained =

@@ -13,10 +13,14 @@
 
 namespace trocar::learning {
 
-/// `eg-maxent` is the paper's Algorithm 1, `eg-maxent+` the product's variant, `exact` has no sampling.
-enum class Method : std::uint8_t { kEgMaxent, kEgMaxentPlus, kExact };
+/// `eg-maxent` is the paper's Algorithm 1, `eg-maxent+` the product's variant, `exact` has no sampling; `imported` is
+/// what another program learned (`imported_model.h`), and trains nothing.
+enum class Method : std::uint8_t { kEgMaxent, kEgMaxentPlus, kExact, kImported };
 std::string_view to_string(Method method);
+/// Of those that train. Errors: kInvalidArgument with the names that there are.
 Result<Method> method_from(std::string_view text);
+/// Learns from episodes with random draws, and so explores: the two of EG.
+bool is_sampled(Method method);
 
 /// Table I's values are the defaults; the rest is in ARCHITECTURE.md, "Choices where the paper is silent".
 struct TrainOptions {
@@ -47,7 +51,7 @@ using CellSequence = std::vector<spatial::CellIndex>;
 
 /// Immutable. Vectors are by CellIndex; `q`, 6 for each cell in the order of `spatial::Action`.
 ///
-/// In `eg-maxent` V = max Q, and an untried action has Q = 0, where learning began. In the other two Q = minus infinity
+/// In `eg-maxent` V = max Q, and an untried action has Q = 0, where learning began. In the others Q = minus infinity
 /// says that the agent has no such move (untried, off the lattice, out of the safe set, or no way to the goal).
 struct Model {
   TrainOptions options;
@@ -56,7 +60,7 @@ struct Model {
   spatial::CellIndex start;  ///< First cell of the first expert.
   spatial::CellIndex goal;   ///< Its last cell.
   spatial::CellSet safe;
-  std::vector<double> theta;  ///< Reward of each cell.
+  std::vector<double> theta;  ///< Reward of each cell; NaN where an imported table says none.
   std::vector<double> q;
   std::vector<double> value;
   std::vector<std::uint32_t> visits;  ///< Times entered in training; rounded expectation × 1000 for `exact`.

@@ -13,6 +13,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "files are little-endian");
 
 constexpr std::string_view kMagic = "TRCMODEL";
+constexpr std::uint32_t kTrainedFormat = 1;  // Programs that know of no imported models read these.
 
 tl::unexpected<Error> corrupt(std::string what) {
   return fail(ErrorCode::kCorrupt, fmt::format("the model is damaged: {}", what));
@@ -156,7 +157,7 @@ Result<Model> read_body(Reader& reader) {
   grid.n = reader.number<std::int32_t>();
   const std::vector<CellSequence> experts = read_sequences(reader);
   if (!reader.good()) return corrupt("it ends too early");
-  if (options.method > Method::kExact) return corrupt("its method is unknown");
+  if (options.method > Method::kImported) return corrupt("its method is unknown");
   if (Status checked = check_training(grid, experts, options); !checked) {
     return corrupt(checked.error().text());
   }
@@ -194,7 +195,7 @@ std::string encode_model(const Model& model) {
   body.number(model.hash());
   const std::string content = body.take();
   Writer head;
-  head.number(kModelFormat);
+  head.number(model.options.method == Method::kImported ? kModelFormat : kTrainedFormat);
   head.number(static_cast<std::uint64_t>(content.size()));
   return std::string(kMagic) + head.take() + content;
 }

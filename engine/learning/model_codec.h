@@ -8,8 +8,8 @@
 
 namespace trocar::learning {
 
-/// Raised when the layout changes; older versions stay readable.
-constexpr std::uint32_t kModelFormat = 1;
+/// Raised when the layout or the methods change; older versions stay readable. Models that were trained here are of 1.
+constexpr std::uint32_t kModelFormat = 2;
 
 /// Little-endian: "TRCMODEL", format, length of the rest, options, grid, experts, then the safe set and
 /// the arrays, and last the model's

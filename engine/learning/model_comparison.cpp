@@ -21,7 +21,7 @@ struct Mean {
     sum += value;
     ++count;
   }
-  double value() const { return count == 0 ? 0.0 : sum / count; }
+  double value() const { return count == 0 ? kNotKnown : sum / count; }
 };
 
 ModelMeasures measures_of(const Model& model, const Basin& basin, const std::vector<spatial::CellIndex>& all,
@@ -34,10 +34,10 @@ ModelMeasures measures_of(const Model& model, const Basin& basin, const std::vec
   Mean mean_margin;
   for (const double value : reward.values) mean_reward.add(value);
   for (const double value : margin.values) mean_margin.add(value);
-  measures.least_reward = reward.low();
+  measures.least_reward = mean_reward.count == 0 ? kNotKnown : reward.low();
   measures.mean_reward = mean_reward.value();
   measures.mean_margin = mean_margin.value();
-  measures.mismatch = model.curve.empty() ? 0.0 : model.curve.back();
+  measures.mismatch = model.curve.empty() ? kNotKnown : model.curve.back();
   measures.all = summarise(basin, all);
   for (std::size_t k = 0; k < around.size(); ++k) measures.around[k] = summarise(basin, around[k]);
   return measures;

@@ -149,7 +149,7 @@ Result<SeedStudy> study_seeds(const spatial::Grid& grid, const std::vector<CellS
 Result<EpsilonStudy> study_epsilon(const spatial::Grid& grid, const std::vector<CellSequence>& experts,
                                    const TrainOptions& options, const SeedStudyOptions& study, Progress& progress) {
   TROCAR_RETURN_IF_ERROR(check(study));
-  if (options.method == Method::kExact || !(options.epsilon > 0.0)) {
+  if (!is_sampled(options.method) || !(options.epsilon > 0.0)) {
     return fail(ErrorCode::kInvalidArgument,
                 "exploration is compared of a method that samples, with an epsilon above 0");
   }

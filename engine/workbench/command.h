@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/learning/field.h"
+#include "engine/learning/imported_model.h"
 #include "engine/learning/model.h"
 #include "engine/learning/monte_carlo.h"
 #include "engine/media/video_writer.h"
@@ -272,7 +273,18 @@ struct ExportField {
   ModelId model;
   learning::Layer layer = learning::Layer::kReward;
   std::string slice;  ///< "z=11"; empty: montage.
+  FieldFileLook look;
   std::filesystem::path path;
+};
+/// Makes a model of a table that another program learned.
+struct ImportTable {
+  std::filesystem::path path;
+  learning::TableKind kind = learning::TableKind::kQ;
+  std::vector<DemonstrationId> demonstrations;  ///< They give start, goal, expert's cells and safe set.
+  demonstration::Segment segment = demonstration::Segment::kA;
+  int grid = 22;
+  int safe_radius = 4;  ///< In cells.
+  std::string name;     ///< Empty: that of the file.
 };
 /// Reads a file of another program and shows what would come of it; nothing is changed yet.
 struct ReadImport {
@@ -303,7 +315,7 @@ using Command =
                  SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetFieldLayers,
                  SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, RecordScripted, StopRecording,
                  RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration,
-                 FixProblems, ExportVideo, ExportField, ReadImport, EndImport, MakeImport, ExportDemonstrations,
-                 CancelJob, Report>;
+                 FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport, MakeImport,
+                 ExportDemonstrations, CancelJob, Report>;
 
 }  // namespace trocar::workbench

@@ -36,6 +36,17 @@ struct FieldSettings {
   bool operator==(const FieldSettings&) const = default;
 };
 
+/// How a field is drawn in a file; what holds numbers heeds none of it.
+struct FieldFileLook {
+  std::optional<plot::ScaleKind> scale;  ///< None: what suits the layer.
+  std::optional<plot::ColourMap> map;    ///< None: what suits the layer.
+  plot::ColourVision vision = plot::ColourVision::kFull;
+  int width_px = 1000;        ///< Without a preset.
+  std::string preset;         ///< As `figure::print_from`; empty: for a screen.
+  std::optional<double> dpi;  ///< Of a picture: what it says of itself and, with a preset, its pixels.
+  bool operator==(const FieldFileLook&) const = default;
+};
+
 /// Limits that the kind of scale cannot have (log across zero) are not heeded. Classes keep their own colours.
 plot::Colouring colouring_of(const learning::Field& field, const FieldSettings& settings);
 /// Of the values of both, so that a colour means one value in either. Precondition: the same layer.

@@ -199,11 +199,22 @@ void Workbench::Impl::on(const ExportField& command) {
   const auto entry = model(command.model);
   if (!entry) return log(Severity::kError, fmt::format("there is no model {}", command.model.value));
   const auto work =
-      [request = FieldExport{entry, command.layer, command.slice, command.path}](Progress&) -> Result<JobResult> {
+      [request = FieldExport{entry, command.layer, command.slice, command.look, command.path}](Progress&) -> Result<JobResult> {
     TROCAR_RETURN_IF_ERROR(export_field(request));
     return JobResult{"written", {}};
   };
   jobs.start("Export " + command.path.filename().string(), work);
+}
+
+void Workbench::Impl::on(const ImportTable& command) {
+  if (!project_open()) return;
+  const auto work = [this, command, owner = file, project = state.project](Progress&) -> Result<JobResult> {
+    TROCAR_ASSIGN_OR_RETURN(ModelEntry imported, import_table(*project, command));
+    auto entry = std::make_shared<const ModelEntry>(std::move(imported));
+    const std::string message = fmt::format("imported as \"{}\"", entry->name);
+    return JobResult{message, [this, entry, owner] { return keep_model(owner, entry); }};
+  };
+  jobs.start("Import " + command.path.filename().string(), work);
 }
 
 void Workbench::Impl::on(const Report& command) {

@@ -70,6 +70,7 @@ struct Workbench::Impl {
   void on(const FixProblems& command);
   void on(const ExportVideo& command);
   void on(const ExportField& command);
+  void on(const ImportTable& command);
   void on(const ReadImport& command);
   void on(const EndImport& command);
   void on(const MakeImport& command);

@@ -156,7 +156,9 @@ void draw_field_controls(Ui& ui, const WorkbenchState& state, const FieldShading
   choose_mask(ui, settings.mask);
   form_label(ui, "Colours");
   const plot::ScaleKind scale = settings.scale;
+  ImGui::BeginGroup();
   choose_colours(ui, shading, settings);
+  ImGui::EndGroup();
   if (settings.scale != scale) settings.limits.reset();
   form_label(ui, "In the view");
   ImGui::BeginGroup();
@@ -164,12 +166,14 @@ void draw_field_controls(Ui& ui, const WorkbenchState& state, const FieldShading
   ImGui::EndGroup();
   choose_details(ui, state, settings);
   form_label(ui, "On slices");
+  ImGui::BeginGroup();
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ui.px(14));
   choose(ui, "Glyphs", settings.glyphs, stage::all_glyphs(),
          {.help = "In the cells of slices in the view: nothing, the best action, or six arms as long as Q",
           .width = std::max(half, ui.px(90))});
   flow(std::max(half, ui.px(150)), ui.px(14));
   slider_float(ui, "Opacity", settings.opacity, 0.05F, 1.0F, "%.2f opaque", {.help = "Of the field in the 3-D view"});
+  ImGui::EndGroup();
   draw_field_layers(ui, state, requests);
   form_label(ui, "Shown here");
   static const std::vector<std::string> kModes{"Slices", "Montage"};

@@ -38,18 +38,19 @@ void draw_model(Ui& ui, const WorkbenchState& state, const ModelEntry& entry) {
   }
   fact(ui, "Method", learning::to_string(options.method));
   fact(ui, "Segment", std::string(1, demonstration::letter(entry.segment)));
-  const bool sampled = options.method != learning::Method::kExact;
+  const bool sampled = learning::is_sampled(options.method);
   if (sampled) {
     fact(ui, "Episodes", count(options.episodes));
     fact(ui, "Exploration ε", number(options.epsilon));
     fact(ui, "Seed", std::to_string(options.seed));
-  } else {
+  } else if (options.method == learning::Method::kExact) {
     fact(ui, "Prior reward θ₀", number(options.theta_prior));
     fact(ui, "Regularisation λ", number(options.regularisation));
   }
   fact(ui, "Lattice", fmt::format("{0} × {0} × {0}", entry.model->grid.n));
-  fact(ui, "Trained in", elapsed(entry.model->seconds));
-  if (!entry.created.empty()) fact(ui, "Trained", shown_time(entry.created));
+  const bool imported = options.method == learning::Method::kImported;
+  if (!imported) fact(ui, "Trained in", elapsed(entry.model->seconds));
+  if (!entry.created.empty()) fact(ui, imported ? "Imported" : "Trained", shown_time(entry.created));
   if (!state.insight || state.insight->entry == nullptr || state.insight->entry->id != entry.id) return;
   if (!sampled) return;  // It knows every move without trying one.
   fact(ui, "Fully explored", count(state.insight->exploration.fully_explored) + " cells");

@@ -8,6 +8,7 @@
 #include "engine/core/result.h"
 #include "engine/figure/field_figure.h"
 #include "engine/learning/field.h"
+#include "engine/workbench/field_settings.h"
 #include "engine/workbench/project.h"
 
 namespace trocar::workbench {
@@ -16,6 +17,7 @@ struct FieldExport {
   std::shared_ptr<const ModelEntry> model;
   learning::Layer layer = learning::Layer::kReward;
   std::string slice;  ///< "z=11"; empty: a montage of all slices.
+  FieldFileLook look;
   std::filesystem::path path;
 };
 
@@ -23,7 +25,11 @@ struct FieldExport {
 /// exact". Precondition: the entry's model is there.
 figure::FieldFigureOptions figure_options(const ModelEntry& entry, const learning::Field& field);
 
-/// Threads: any. Errors: kInvalidArgument (slice, extension), kIo.
-Status export_field(const FieldExport& request);
+/// .png, .svg or .pdf draws; .csv, .npy, .vti or .h5 holds the numbers, of the slice in a .csv or .npy. A picture says
+/// how many pixels an inch has where the look has a preset or a resolution. Returns what was written.
+/// Threads: any. Errors: kInvalidArgument (slice, extension, preset), kUnsupported, kIo.
+Result<learning::Field> export_field(const FieldExport& request);
+/// Whether such a file is drawn, and so has a look.
+bool is_drawn(const std::filesystem::path& path);
 
 }  // namespace trocar::workbench

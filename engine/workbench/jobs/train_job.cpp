@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/demonstration/discretise.h"
+#include "engine/exchange/lattice_table.h"
 
 namespace trocar::workbench {
 
@@ -37,11 +38,32 @@ Result<std::vector<learning::CellSequence>> expert_cells(
   return experts;
 }
 
-Result<spatial::Grid> training_grid(const TrainModel& request) {
+Result<spatial::Grid> training_grid(int cells) {
   constexpr int kMostCells = 176;
-  if (request.grid >= 4 && request.grid <= kMostCells) return spatial::Grid::with_cells(request.grid);
+  if (cells >= 4 && cells <= kMostCells) return spatial::Grid::with_cells(cells);
   return fail(ErrorCode::kInvalidArgument,
-              fmt::format("the grid must have 4 to {} cells a side, not {}", kMostCells, request.grid));
+              fmt::format("the grid must have 4 to {} cells a side, not {}", kMostCells, cells));
+}
+
+Result<ModelSource> model_source(const Project& project, const std::vector<DemonstrationId>& demonstrations,
+                                 demonstration::Segment segment, const spatial::Grid& grid, const std::string& name,
+                                 const std::string& suggested) {
+  if (demonstrations.empty()) return fail(ErrorCode::kInvalidArgument, "no demonstration to learn from");
+  ModelSource source;
+  std::vector<std::shared_ptr<const demonstration::Demonstration>> found;
+  for (const DemonstrationId id : demonstrations) {
+    const auto one = project.demonstrations.find(id);
+    if (one == project.demonstrations.end()) {
+      return fail(ErrorCode::kNotFound, fmt::format("there is no demonstration {}", id.value));
+    }
+    found.push_back(one->second);
+    source.entry.demonstrations.push_back(id);
+    source.entry.demonstration_hashes.push_back(one->second->hash());
+  }
+  TROCAR_ASSIGN_OR_RETURN(source.experts, expert_cells(found, segment, grid));
+  source.entry.name = name.empty() ? free_name(project, suggested) : name;
+  source.entry.segment = segment;
+  return source;
 }
 
 std::string model_name(const TrainModel& request) {
@@ -52,26 +74,23 @@ std::string model_name(const TrainModel& request) {
 }
 
 Result<ModelEntry> train_model(const Project& project, const TrainModel& request, Progress& progress) {
-  TROCAR_ASSIGN_OR_RETURN(const spatial::Grid grid, training_grid(request));
-  if (request.demonstrations.empty()) return fail(ErrorCode::kInvalidArgument, "no demonstration to learn from");
-  ModelEntry entry;
-  std::vector<std::shared_ptr<const demonstration::Demonstration>> demonstrations;
-  for (const DemonstrationId id : request.demonstrations) {
-    const auto found = project.demonstrations.find(id);
-    if (found == project.demonstrations.end()) {
-      return fail(ErrorCode::kNotFound, fmt::format("there is no demonstration {}", id.value));
-    }
-    demonstrations.push_back(found->second);
-    entry.demonstrations.push_back(id);
-    entry.demonstration_hashes.push_back(found->second->hash());
-  }
-  TROCAR_ASSIGN_OR_RETURN(const std::vector<learning::CellSequence> experts,
-                          expert_cells(demonstrations, request.segment, grid));
-  TROCAR_ASSIGN_OR_RETURN(learning::Model model, learning::train(grid, experts, request.options, progress));
-  entry.name = request.name.empty() ? free_name(project, model_name(request)) : request.name;
-  entry.segment = request.segment;
-  entry.model = std::make_shared<const learning::Model>(std::move(model));
-  return entry;
+  TROCAR_ASSIGN_OR_RETURN(const spatial::Grid grid, training_grid(request.grid));
+  TROCAR_ASSIGN_OR_RETURN(ModelSource source, model_source(project, request.demonstrations, request.segment, grid,
+                                                           request.name, model_name(request)));
+  TROCAR_ASSIGN_OR_RETURN(learning::Model model, learning::train(grid, source.experts, request.options, progress));
+  source.entry.model = std::make_shared<const learning::Model>(std::move(model));
+  return std::move(source.entry);
+}
+
+Result<ModelEntry> import_table(const Project& project, const ImportTable& request) {
+  TROCAR_ASSIGN_OR_RETURN(const spatial::Grid grid, training_grid(request.grid));
+  TROCAR_ASSIGN_OR_RETURN(ModelSource source, model_source(project, request.demonstrations, request.segment, grid,
+                                                           request.name, request.path.stem().string()));
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<double> table, exchange::read_table(request.path, request.kind, grid));
+  auto model = learning::imported_model(grid, source.experts, request.safe_radius, request.kind, table);
+  if (!model) return tl::unexpected(std::move(model).error().at(request.path.string()));
+  source.entry.model = std::make_shared<const learning::Model>(std::move(*model));
+  return std::move(source.entry);
 }
 
 }  // namespace trocar::workbench

@@ -13,14 +13,29 @@ Result<std::vector<learning::CellSequence>> expert_cells(
     const std::vector<std::shared_ptr<const demonstration::Demonstration>>& demonstrations,
     demonstration::Segment segment, const spatial::Grid& grid);
 
-/// Errors: kInvalidArgument for a number of cells that is none.
-Result<spatial::Grid> training_grid(const TrainModel& request);
+/// The usual cube in `cells` a side. Errors: kInvalidArgument for a number of cells that is none.
+Result<spatial::Grid> training_grid(int cells);
+
+/// A model's entry before there is a model: name (numbered where `suggested` is taken; `name` as it is), segment and
+/// the demonstrations as they are now; and their cells. Errors: kInvalidArgument for no demonstration, kNotFound for
+/// one; those of `discretise`.
+struct ModelSource {
+  ModelEntry entry;
+  std::vector<learning::CellSequence> experts;
+};
+Result<ModelSource> model_source(const Project& project, const std::vector<DemonstrationId>& demonstrations,
+                                 demonstration::Segment segment, const spatial::Grid& grid, const std::string& name,
+                                 const std::string& suggested);
 
 /// "exact A": method and segment, with ε where it is used.
 std::string model_name(const TrainModel& request);
 
 /// Threads: any; `project` is not changed. The entry has no id yet: store it, then commit `AddModel`.
-/// Errors: kNotFound for a demonstration; those of `discretise` and `learning::train`.
+/// Errors: those of `model_source` and `learning::train`.
 Result<ModelEntry> train_model(const Project& project, const TrainModel& request, Progress& progress);
+
+/// A model of a table in a file, named as the file if the request names none; as `train_model` in all else.
+/// Errors: those of `model_source`, `exchange::read_table` and `learning::imported_model`.
+Result<ModelEntry> import_table(const Project& project, const ImportTable& request);
 
 }  // namespace trocar::workbench

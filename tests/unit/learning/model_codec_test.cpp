@@ -65,6 +65,6 @@ TEST_CASE("a file of another kind is corrupt, a newer format unsupported") {
   CHECK(decode_model("SQLite format 3").error().code() == ErrorCode::kCorrupt);
   CHECK(decode_model("").error().code() == ErrorCode::kCorrupt);
   std::string newer = encode_model(small_model(Method::kEgMaxent));
-  newer[8] = 2;
+  newer[8] = static_cast<char>(kModelFormat + 1);
   CHECK(decode_model(newer).error().code() == ErrorCode::kUnsupported);
 }

@@ -1,0 +1,201 @@
+"""What figures, fields and Q-tables look like from outside: paper, VTK, HDF5, and tables that go out and come back."""
+import base64
+import os
+import re
+import struct
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+try:
+    import h5py
+    import numpy
+except ImportError:  # another Python than Debian's comes first: python3-h5py belongs to that
+    if sys.executable == "/usr/bin/python3":
+        raise
+    os.execv("/usr/bin/python3", ["/usr/bin/python3", *sys.argv])
+
+from cli_support import USAGE, WORLD, CommandLineTest
+
+COLUMN_PT = 88 / 25.4 * 72
+
+
+def png_size(path):
+    """Pixels, and pixels an inch if the file says so."""
+    data = path.read_bytes()
+    width, height = struct.unpack(">II", data[16:24])
+    at = data.find(b"pHYs")
+    dpi = struct.unpack(">I", data[at + 4:at + 8])[0] * 0.0254 if at > 0 else None
+    return width, height, dpi
+
+
+def letter_sizes(pdf):
+    """The sizes in points of all texts of a PDF, as it shows them."""
+    sizes = set()
+    for begin in re.finditer(rb"stream\r?\n", pdf):
+        try:
+            content = zlib.decompressobj().decompress(pdf[begin.end():])
+        except zlib.error:
+            continue
+        found = re.findall(rb"([-\d.]+) [-\d.]+ [-\d.]+ ([-\d.]+) [-\d.]+ [-\d.]+ Tm\s*/f-\d+-\d+ ([\d.]+) Tf", content)
+        sizes |= {(round(float(a) * float(size), 3), round(abs(float(d)) * float(size), 3)) for a, d, size in found}
+    return sizes
+
+
+class Paper(CommandLineTest):
+    def test_a_column_is_88_mm_wide_in_every_kind_of_file(self):
+        project = self.recorded_project()
+        for what in (["--montage"], ["--slice", "z=5"]):
+            base = ["field", "export", project, "A exact", "--layer", "value", *what, "--preset", "column"]
+            self.answer(*base, "--out", self.folder / "a.pdf")
+            pdf = (self.folder / "a.pdf").read_bytes()
+            self.assertTrue(pdf.startswith(b"%PDF-"))
+            box = [float(x) for x in re.search(rb"/MediaBox \[ ([^\]]*) \]", pdf)[1].split()]
+            self.assertAlmostEqual(box[2], COLUMN_PT, places=3)
+            self.assertEqual(letter_sizes(pdf), {(8.0, 8.0)})
+            self.answer(*base, "--out", self.folder / "a.svg")
+            root = ElementTree.parse(self.folder / "a.svg").getroot()
+            self.assertTrue(root.get("width").endswith("pt"))
+            self.assertAlmostEqual(float(root.get("width")[:-2]), COLUMN_PT, places=3)
+            for dpi, pixels in ((None, 1039), (600, 2079)):
+                self.answer(*base, *(["--dpi", dpi] if dpi else []), "--out", self.folder / "a.png")
+                width, _, said = png_size(self.folder / "a.png")
+                self.assertEqual(width, pixels)
+                self.assertAlmostEqual(said, dpi or 300, delta=0.02)
+
+    def test_curves_go_on_paper_as_well(self):
+        project = self.recorded_project()
+        base = ["demo", "plot", project, "Expert", "--curve", "speed,jerk,clearance", "--preset", "column"]
+        self.answer(*base, "--out", self.folder / "c.pdf")
+        pdf = (self.folder / "c.pdf").read_bytes()
+        self.assertEqual(letter_sizes(pdf), {(8.0, 8.0)})
+        self.assertIn(b"/MediaBox [ 0 0 249.448819 ", pdf)
+        self.answer(*base, "--dpi", "150", "--out", self.folder / "c.png")
+        self.assertEqual(png_size(self.folder / "c.png")[0], 520)
+
+    def test_a_picture_for_the_screen_may_say_its_resolution(self):
+        project = self.recorded_project()
+        base = ["field", "export", project, "A exact", "--width", "800"]
+        self.answer(*base, "--out", self.folder / "a.png")
+        self.assertEqual(png_size(self.folder / "a.png")[::2], (800, None))
+        self.answer(*base, "--dpi", "200", "--out", self.folder / "a.png")
+        width, _, dpi = png_size(self.folder / "a.png")
+        self.assertEqual((width, round(dpi)), (800, 200))
+
+    def test_what_would_be_ignored_is_refused(self):
+        project = self.recorded_project()
+        base = ["field", "export", project, "A exact"]
+        for extra, out, saying in ((["--dpi", "300"], "a.pdf", "--dpi is of a .png"),
+                                   (["--preset", "column"], "a.csv", "--preset is of pictures"),
+                                   (["--preset", "poster"], "a.png", "no figure preset"),
+                                   (["--slice", "z=3"], "a.vti", "whole lattice"),
+                                   (["--slice", "z=3"], "a.h5", "whole lattice"),
+                                   (["--preset", "page", "--width", "500"], "a.png", "width"),
+                                   ([], "a.txt", "must end in")):
+            self.refused(*base, *extra, "--out", self.folder / out, code=USAGE, saying=saying)
+            self.assertFalse((self.folder / out).exists())
+
+
+class Numbers(CommandLineTest):
+    def test_every_file_of_numbers_holds_the_same_field(self):
+        project = self.recorded_project()
+        for layer in ("value", "q+x", "basin"):
+            for ending in ("npy", "vti", "h5"):
+                self.answer("field", "export", project, "A exact", "--layer", layer, "--out", self.folder / f"f.{ending}")
+            field = numpy.load(self.folder / "f.npy")
+            self.assertEqual(field.shape, (22, 22, 22))
+
+            image = ElementTree.parse(self.folder / "f.vti").getroot().find("ImageData")
+            self.assertEqual(image.get("WholeExtent"), "0 22 0 22 0 22")
+            self.assertEqual(image.get("Spacing"), "2.5 2.5 2.5")
+            self.assertEqual(image.get("Origin"), "-37.5 -52.5 2.5")
+            array = image.find("Piece/CellData/DataArray")
+            self.assertEqual((array.get("type"), array.get("Name"), array.get("format")), ("Float64", layer, "binary"))
+            raw = base64.b64decode(array.text, validate=True)
+            self.assertEqual(struct.unpack("<I", raw[:4])[0], len(raw) - 4)
+            # VTK's x runs fastest.
+            numpy.testing.assert_array_equal(numpy.frombuffer(raw[4:], "<f8").reshape(22, 22, 22).transpose(2, 1, 0), field)
+
+            with h5py.File(self.folder / "f.h5") as file:
+                stored = file[layer]
+                numpy.testing.assert_array_equal(stored[()], field)
+                self.assertEqual(list(stored.attrs["origin_mm"]), [-37.5, -52.5, 2.5])
+                self.assertEqual(stored.attrs["cell_mm"], 2.5)
+                self.assertEqual(stored.attrs["model"], "A exact")
+                self.assertEqual(stored.attrs["layer"], layer)
+                self.assertEqual("categories" in stored.attrs, layer == "basin")
+                self.assertEqual(file["z_mm"][0], 3.75)
+                self.assertEqual(file["x_mm"][21], 16.25)
+
+
+class Tables(CommandLineTest):
+    def fields(self, project, model, layers):
+        fields = []
+        for layer in layers:
+            self.answer("field", "export", project, model, "--layer", layer, "--out", self.folder / "field.npy")
+            fields.append(numpy.load(self.folder / "field.npy"))
+        return fields
+
+    def test_a_q_table_goes_out_and_comes_back_the_same(self):
+        project = self.recorded_project()
+        layers = ("q+x", "q-x", "q+y", "q-y", "q+z", "q-z", "margin", "policy", "basin", "steps")
+        before = self.fields(project, "A exact", layers)
+        for ending in ("npy", "csv"):
+            table = self.folder / f"q.{ending}"
+            told = self.answer("model", "export", project, "A exact", "--kind", "q", "--out", table)
+            self.assertIn("+x -x +y -y +z -z", told["order"])
+            made = self.answer("model", "import", project, table, "--kind", "q", "--demo", "Expert", "--name", f"back {ending}")
+            self.assertEqual(made["method"], "imported")
+            self.assertTrue(made["arrival_from_start"])
+            for layer, one, other in zip(layers, before, self.fields(project, f"back {ending}", layers)):
+                numpy.testing.assert_array_equal(one, other, err_msg=layer)
+        table = numpy.load(self.folder / "q.npy")
+        self.assertEqual(table.shape, (22, 22, 22, 6))
+        numpy.testing.assert_array_equal(table[..., 4], before[4])
+        # The flat shape is taken, too, and the model is one as any other.
+        numpy.save(self.folder / "flat.npy", table.reshape(-1, 6))
+        self.answer("model", "import", project, self.folder / "flat.npy", "--kind", "q", "--demo", "Expert")
+        compared = self.answer("model", "compare", project, "A exact", "flat")
+        self.assertEqual(compared["policy_changed"], 0)
+        self.assertEqual(compared["success"]["change_percent"], 0)
+        self.assertIsNone(compared["mean_reward"]["b"])  # a Q-table says nothing of it
+        self.assertEqual(compared["mean_margin"]["b"], compared["mean_margin"]["a"])
+        rolled = self.answer("rollout", "run", project, "flat", "--starts", "around:1")
+        expected = self.answer("rollout", "run", project, "A exact", "--starts", "around:1")
+        self.assertEqual(rolled["arrived"], expected["arrived"])
+        self.answer("field", "export", project, "flat", "--layer", "value", "--preset", "column", "--out", self.folder / "v.png")
+
+    def test_rewards_come_back_from_a_table_and_from_a_field(self):
+        project = self.recorded_project()
+        reward, = self.fields(project, "A exact", ["reward"])
+        self.answer("model", "export", project, "A exact", "--kind", "theta", "--out", self.folder / "theta.npy")
+        self.answer("field", "export", project, "A exact", "--layer", "reward", "--out", self.folder / "field.csv")
+        for name in ("theta.npy", "field.csv"):
+            self.answer("model", "import", project, self.folder / name, "--kind", "theta", "--demo", "Expert", "--name", name)
+            back, = self.fields(project, name, ["reward"])
+            numpy.testing.assert_array_equal(back, reward)
+
+    def test_what_is_no_such_table_is_refused_in_one_sentence(self):
+        project = self.recorded_project()
+
+        def refused(array, kind, saying, code=WORLD):
+            numpy.save(self.folder / "bad.npy", array)
+            self.refused("model", "import", project, self.folder / "bad.npy", "--kind", kind, "--demo", "Expert", code=code,
+                         saying=saying)
+
+        refused(numpy.zeros((22, 22, 6)), "q", "expected 22x22x22x6 or 10648x6, found 22x22x6; the order is x, y, z, action")
+        refused(numpy.zeros((44, 44, 44)), "theta", "expected 22x22x22 or 10648, found 44x44x44")
+        refused(numpy.full((22, 22, 22, 6), numpy.nan), "q", "all is NaN", code=USAGE)
+        refused(numpy.full((22, 22, 22), 0.5), "theta", "above 0 the agent would go round", code=USAGE)
+        refused(numpy.zeros((22, 22, 22), dtype=">f8"), "theta", "little-endian")
+        (self.folder / "bad.txt").write_text("1,2,3\n")
+        self.refused("model", "import", project, self.folder / "bad.txt", "--kind", "q", "--demo", "Expert", code=USAGE,
+                     saying="a table is a .npy or a .csv")
+        self.refused("model", "import", project, self.folder / "bad.npy", "--kind", "v", "--demo", "Expert", code=USAGE,
+                     saying="use q or theta")
+        self.assertEqual(len(self.answer("model", "list", project)["models"]), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
