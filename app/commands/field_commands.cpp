@@ -15,6 +15,9 @@ struct ExportArguments {
   std::string project;
   std::string model;
   std::string layer = "reward";
+  std::string mask = "none";
+  std::string against;
+  std::string contrast = "difference";
   std::string slice;
   bool montage = false;
   std::string scale;
@@ -35,6 +38,13 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
     layers += (layers.empty() ? "" : ", ") + std::string(learning::to_string(layer));
   }
   verb.add_option("--layer", arguments.layer, "One of " + layers)->capture_default_str();
+  verb.add_option("--mask", arguments.mask, "Write cells of none (all), safe, expert, visited or arrives alone")
+      ->capture_default_str();
+  CLI::Option* against =
+      verb.add_option("--against", arguments.against, "Write what this model (B) changes against MODEL (A)");
+  verb.add_option("--show", arguments.contrast, "Of the two: difference (of the layer, B − A), policy or outcomes")
+      ->capture_default_str()
+      ->needs(against);
   CLI::Option* slice = verb.add_option("--slice", arguments.slice, "One slice: x=I, y=J or z=K");
   arguments.of_pictures = {
       verb.add_flag("--montage", arguments.montage, "All slices along z (without --slice)")->excludes(slice),
@@ -83,6 +93,8 @@ std::string contents(const learning::Field& field) {
 Result<workbench::FieldExport> request_of(const ExportArguments& arguments) {
   workbench::FieldExport request;
   TROCAR_ASSIGN_OR_RETURN(request.layer, learning::layer_from(arguments.layer));
+  TROCAR_ASSIGN_OR_RETURN(request.mask, learning::field_mask_from(arguments.mask));
+  TROCAR_ASSIGN_OR_RETURN(request.contrast, workbench::field_contrast_from(arguments.contrast));
   request.slice = arguments.slice;
   request.path = arguments.out;
   if (!arguments.scale.empty()) {
@@ -106,6 +118,10 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(request.model, find_model(*file.project(), arguments.model));
   warn_if_stale(*file.project(), *request.model, console);
+  if (!arguments.against.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(request.against, find_model(*file.project(), arguments.against));
+    warn_if_stale(*file.project(), *request.against, console);
+  }
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_ASSIGN_OR_RETURN(const learning::Field field, workbench::export_field(request));
   const std::filesystem::path& out = request.path;

@@ -4,7 +4,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "engine/core/result.h"
 #include "engine/learning/field.h"
 #include "engine/learning/field_mask.h"
 #include "engine/plot/colouring.h"
@@ -35,6 +37,16 @@ struct FieldSettings {
   float opacity = 0.8F;
   bool operator==(const FieldSettings&) const = default;
 };
+
+/// What two models say about each other, cell by cell.
+enum class FieldContrast : std::uint8_t {
+  kDifference,  ///< B − A of the layer.
+  kPolicy,      ///< Where the greedy action is another.
+  kOutcomes,    ///< From where either arrives.
+};
+std::string_view to_string(FieldContrast contrast);  ///< "difference", "policy", "outcomes"
+/// Errors: kInvalidArgument with the names that there are.
+Result<FieldContrast> field_contrast_from(std::string_view text);
 
 /// How a field is drawn in a file; what holds numbers heeds none of it.
 struct FieldFileLook {

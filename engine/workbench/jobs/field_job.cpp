@@ -3,11 +3,38 @@
 #include <fmt/format.h>
 
 #include "engine/exchange/field_hdf5.h"
+#include "engine/learning/model_comparison.h"
+#include "engine/learning/policy.h"
+#include "engine/learning/rollout.h"
 #include "engine/media/picture_file.h"
 #include "engine/workbench/insight.h"
 
 namespace trocar::workbench {
 namespace {
+
+Result<learning::Field> contrast_of(const FieldExport& request) {
+  const learning::Model& a = *request.model->model;
+  const learning::Model& b = *request.against->model;
+  if (a.grid != b.grid) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("{} and {} have different lattices", request.model->name, request.against->name));
+  }
+  const std::vector<std::uint8_t> policy_a = learning::greedy_policy(a);
+  const std::vector<std::uint8_t> policy_b = learning::greedy_policy(b);
+  if (request.contrast == FieldContrast::kPolicy) return learning::policy_change(a.grid, policy_a, policy_b);
+  const learning::Basin basin_a = learning::basin(a, policy_a);
+  const learning::Basin basin_b = learning::basin(b, policy_b);
+  if (request.contrast == FieldContrast::kOutcomes) return learning::paired_outcomes(a.grid, basin_a, basin_b);
+  return learning::difference(learning::masked(field_of(a, request.layer), a, basin_a, request.mask),
+                              learning::masked(field_of(b, request.layer), b, basin_b, request.mask));
+}
+
+Result<learning::Field> wanted_field(const FieldExport& request) {
+  if (request.against) return contrast_of(request);
+  const learning::Model& model = *request.model->model;
+  return learning::masked(field_of(model, request.layer), model, learning::basin(model, learning::greedy_policy(model)),
+                          request.mask);
+}
 
 Result<figure::FieldFigureOptions> file_options(const FieldExport& request, const learning::Field& field) {
   figure::FieldFigureOptions options = figure_options(*request.model, field);
@@ -18,6 +45,11 @@ Result<figure::FieldFigureOptions> file_options(const FieldExport& request, cons
   if (!look.preset.empty()) {
     TROCAR_ASSIGN_OR_RETURN(options.print, figure::print_from(look.preset));
     options.print->dpi = look.dpi.value_or(options.print->dpi);
+  }
+  if (request.against) {
+    options.subtitle = fmt::format("A {}  \u00b7  B {}  \u00b7  segment {}", request.model->name, request.against->name,
+                                   demonstration::letter(request.model->segment));
+    if (!field.categorical) options.map = plot::ColourMap::kDiverging;
   }
   options.scale = look.scale.value_or(options.scale);
   options.map = look.map.value_or(options.map);
@@ -55,7 +87,7 @@ bool is_drawn(const std::filesystem::path& path) {
 
 Result<learning::Field> export_field(const FieldExport& request) {
   const std::string extension = request.path.extension().string();
-  learning::Field field = field_of(*request.model->model, request.layer);
+  TROCAR_ASSIGN_OR_RETURN(learning::Field field, wanted_field(request));
   TROCAR_ASSIGN_OR_RETURN(const figure::FieldFigureOptions options, file_options(request, field));
   if (extension == ".png") {
     const std::optional<double> dpi = options.print ? std::optional(options.print->dpi) : request.look.dpi;

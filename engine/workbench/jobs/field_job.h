@@ -16,7 +16,10 @@ namespace trocar::workbench {
 struct FieldExport {
   std::shared_ptr<const ModelEntry> model;
   learning::Layer layer = learning::Layer::kReward;
-  std::string slice;  ///< "z=11"; empty: a montage of all slices.
+  learning::FieldMask mask = learning::FieldMask::kNone;
+  std::shared_ptr<const ModelEntry> against;  ///< B, if what B changes against `model` is written and not the field …
+  FieldContrast contrast = FieldContrast::kDifference;  ///< … and which of it.
+  std::string slice;                                    ///< "z=11"; empty: a montage of all slices.
   FieldFileLook look;
   std::filesystem::path path;
 };
@@ -27,7 +30,7 @@ figure::FieldFigureOptions figure_options(const ModelEntry& entry, const learnin
 
 /// .png, .svg or .pdf draws; .csv, .npy, .vti or .h5 holds the numbers, of the slice in a .csv or .npy. A picture says
 /// how many pixels an inch has where the look has a preset or a resolution. Returns what was written.
-/// Threads: any. Errors: kInvalidArgument (slice, extension, preset), kUnsupported, kIo.
+/// Threads: any. Errors: kInvalidArgument (slice, extension, preset, models of different lattices), kUnsupported, kIo.
 Result<learning::Field> export_field(const FieldExport& request);
 /// Whether such a file is drawn, and so has a look.
 bool is_drawn(const std::filesystem::path& path);
