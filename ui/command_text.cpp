@@ -147,13 +147,22 @@ std::string erring_text(const learning::MonteCarloOptions& options) {
   return fmt::format(" --epsilon {:g} --runs {} --seed {}", options.epsilon, options.runs, options.seed);
 }
 
+std::string physics_text(const trial::PhysicsOptions& options, const WorkbenchState& state,
+                         const std::string& project) {
+  return rollouts_text("physics", state, project) + fmt::format(" --seed {}", options.seed) +
+         (options.continuous ? " --continuous" : "") + " --out ";
+}
+
 std::string rollout_rows_text(const ExportRollouts& command, const WorkbenchState& state, const std::string& project) {
-  std::string text = rollouts_text("run", state, project);
-  const auto& erred = state.monte_carlo;
-  if (erred && state.insight && erred->entry == state.insight->entry && erred->starts == state.rollouts.starts) {
-    text += erring_text(erred->result.options);
+  const std::string path = shell_word(command.path.string());
+  if (command.rows == workbench::RolloutRows::kSimulated) {
+    return physics_text(state.physics ? state.physics->options : trial::PhysicsOptions(), state, project) + path;
   }
-  return text + " --out " + shell_word(command.path.string());
+  std::string text = rollouts_text("run", state, project);
+  if (command.rows == workbench::RolloutRows::kErring) {
+    text += erring_text(state.monte_carlo ? state.monte_carlo->result.options : learning::MonteCarloOptions());
+  }
+  return text + " --out " + path;
 }
 
 std::string field_text(const ExportField& command, const std::string& project) {
@@ -375,8 +384,7 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
     return rollouts_text("run", state, project) + erring_text(erring->options);
   }
   if (const auto* physics = std::get_if<RunPhysics>(&command)) {
-    return rollouts_text("physics", state, project) + fmt::format(" --seed {}", physics->options.seed) +
-           (physics->options.continuous ? " --continuous" : "") + " --out rollouts.csv";
+    return physics_text(physics->options, state, project) + "rollouts.csv";
   }
   return "";
 }

@@ -7,6 +7,7 @@
 #include "app/options.h"
 #include "engine/core/file.h"
 #include "engine/learning/rollout.h"
+#include "engine/learning/rollout_table.h"
 #include "engine/learning/start_file.h"
 #include "engine/learning/start_set.h"
 #include "engine/workbench/rolling.h"
@@ -19,6 +20,7 @@ struct RunArguments {
   std::string model;
   std::string starts;
   std::string out;
+  bool spread = false;
   double epsilon = -1.0;  ///< < 0: the agent does not err.
   learning::MonteCarloOptions erring;
 };
@@ -28,6 +30,8 @@ void bind_run(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("MODEL", arguments.model, "Id or name")->required();
   verb.add_option("--starts", arguments.starts, starts_help() + "; else around:3, and ±1 … ±5 beside it");
   verb.add_option("--out", arguments.out, "F.csv: also write one row for each rollout");
+  verb.add_flag("--spread", arguments.spread,
+                "Also say how many have arrived by which step, and how far rollouts stray, by their end");
   verb.add_option("--epsilon", arguments.epsilon,
                   "Let the agent err: this share of its actions is drawn evenly from those allowed, 0 … 1")
       ->check(CLI::Range(0.0, 1.0));
@@ -60,6 +64,28 @@ std::string line_of(const learning::RolloutSummary& summary, demonstration::Segm
     line += fmt::format(", {:.1f} % of them from above", percent(summary.from_above, summary.arrived));
   }
   return line;
+}
+
+/// By when the starts have arrived, and where the worst deviations lie, by end; millimetres.
+void tell_spread(const learning::Model& model, const std::vector<std::uint8_t>& policy, const learning::Basin& basin,
+                 const std::vector<spatial::CellIndex>& starts, Answer& answer) {
+  answer.json["arrivals_by_step"] = learning::arrivals_by_step(basin, starts);
+  std::vector<learning::Rollout> rollouts;
+  rollouts.reserve(starts.size());
+  for (const spatial::CellIndex start : starts) rollouts.push_back(learning::rollout(model, policy, start));
+  answer.json["worst_deviation_mm"] = Json::object();
+  for (int i = 0; i <= static_cast<int>(learning::RolloutEnd::kOutsideSafeSet); ++i) {
+    const auto end = static_cast<learning::RolloutEnd>(i);
+    const learning::Spread spread = learning::worst_deviations_m(rollouts, end);
+    if (spread.count == 0) continue;
+    answer.json["worst_deviation_mm"][std::string(learning::to_string(end))] = {
+        {"count", spread.count},         {"least", 1e3 * spread.least}, {"low", 1e3 * spread.low},
+        {"median", 1e3 * spread.median}, {"high", 1e3 * spread.high},   {"most", 1e3 * spread.most}};
+    answer.text +=
+        fmt::format("\n  {}: worst deviation {:.1f} to {:.1f} mm, middle {:.1f}, half in {:.1f} to {:.1f} mm",
+                    learning::to_string(end), 1e3 * spread.least, 1e3 * spread.most, 1e3 * spread.median,
+                    1e3 * spread.low, 1e3 * spread.high);
+  }
 }
 
 /// What erring at random does, for people and programs.
@@ -120,6 +146,7 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
     answer.json["around"].push_back(std::move(row));
     if (arguments.starts.empty()) answer.text += fmt::format("\n  within ±{}: {}", k, line_of(near, entry->segment));
   }
+  if (arguments.spread) tell_spread(model, policy, basin, starts, answer);
   if (erring) tell_erring(workbench::monte_carlo_view(entry, arguments.starts, *erring), answer);
   return answer;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "engine/statistics/proportion.h"
 
@@ -39,12 +40,13 @@ std::string cell_text(double value) {
 }
 
 std::string monte_carlo_cells(const MonteCarlo& result, std::size_t i) {
-  if (i >= static_cast<std::size_t>(result.finished)) return ",,,,,";
+  if (i >= static_cast<std::size_t>(result.finished)) return ",,,,,,";
   const int arrived = result.arrived[i];
   const statistics::Interval interval = statistics::wilson_interval(arrived, result.runs());
   const double share = static_cast<double>(arrived) / result.runs();
   const std::string steps = arrived == 0 ? "" : fmt::format("{:.6g}", static_cast<double>(result.steps[i]) / arrived);
-  return fmt::format(",{},{:.6g},{:.6g},{:.6g},{}", arrived, share, interval.low, interval.high, steps);
+  return fmt::format(",{},{},{:.6g},{:.6g},{:.6g},{}", result.runs(), arrived, share, interval.low, interval.high,
+                     steps);
 }
 
 std::string row_of(const Model& model, const Rollout& r, std::span<const double> clearance_m) {
@@ -154,7 +156,7 @@ Result<std::string> rollout_csv(const Model& model, const std::vector<std::uint8
   std::string csv =
       "i,j,k,end,steps,length_mm,straightness,max_deviation_mm,mean_deviation_mm,frechet_mm,from_above,reward_sum,"
       "divergence_step,last_moves,clearance_mm";
-  if (options.monte_carlo != nullptr) csv += ",runs_arrived,share,low,high,mean_steps";
+  if (options.monte_carlo != nullptr) csv += ",runs,runs_arrived,share,low,high,mean_steps";
   csv += '\n';
   for (std::size_t i = 0; i < starts.size(); ++i) {
     if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before all rollouts were written");
@@ -185,6 +187,46 @@ DeviationBand deviation_band(const Model& model, const std::vector<Rollout>& rol
     band.count.push_back(static_cast<int>(at_step.size()));
   }
   return band;
+}
+
+std::vector<int> arrivals_by_step(const Basin& basin, const std::vector<CellIndex>& starts) {
+  std::vector<int> by_step(1, 0);
+  for (const CellIndex start : starts) {
+    const auto cell = static_cast<std::size_t>(start.value);
+    if (basin.end[cell] != RolloutEnd::kArrives) continue;
+    const std::size_t steps = basin.steps[cell];
+    if (steps >= by_step.size()) by_step.resize(steps + 1, 0);
+    ++by_step[steps];
+  }
+  std::partial_sum(by_step.begin(), by_step.end(), by_step.begin());
+  return by_step;
+}
+
+Spread spread_of(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  return {static_cast<int>(values.size()), values.front(),         quantile(values, 0.25),
+          quantile(values, 0.5),           quantile(values, 0.75), values.back()};
+}
+
+Spread worst_deviations_m(const std::vector<Rollout>& rollouts, RolloutEnd end) {
+  std::vector<double> values;
+  for (const Rollout& rollout : rollouts) {
+    if (rollout.end == end) values.push_back(rollout.max_deviation_m);
+  }
+  return spread_of(std::move(values));
+}
+
+std::vector<Eigen::Vector3d> way_until(const Rollout& rollout, const spatial::Grid& grid, double steps) {
+  const std::size_t last = rollout.cells.size() - 1;
+  const double within = std::clamp(steps, 0.0, static_cast<double>(last));
+  const auto whole = static_cast<std::size_t>(within);
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t i = 0; i <= whole; ++i) points.push_back(grid.centre(rollout.cells[i]));
+  const double part = within - static_cast<double>(whole);
+  if (part > 0.0) points.push_back(points.back() + part * (grid.centre(rollout.cells[whole + 1]) - points.back()));
+  return points;
 }
 
 }  // namespace trocar::learning

@@ -47,10 +47,11 @@ std::vector<std::size_t> sorted_by(const std::vector<Rollout>& rollouts, Rollout
 
 struct RolloutTableOptions {
   std::span<const double> clearance_m;      ///< By CellIndex; empty: the column stays empty.
-  const MonteCarlo* monte_carlo = nullptr;  ///< Of the same starts in the same order: five columns more.
+  const MonteCarlo* monte_carlo = nullptr;  ///< Of the same starts in the same order: six columns more.
 };
-/// A header and one row for each start, in their order: lengths in millimetres, share and its 95 % interval (Wilson) of
-/// the random rollouts, empty for starts that were not finished. Errors: kCancelled.
+/// A header and one row for each start, in their order: lengths in millimetres; of the random rollouts how many were
+/// run and arrived, their share and its 95 % interval (Wilson), empty for starts that were not finished. Errors:
+/// kCancelled.
 /// Precondition: `monte_carlo`, if any, has as many starts.
 Result<std::string> rollout_csv(const Model& model, const std::vector<std::uint8_t>& policy,
                                 const std::vector<spatial::CellIndex>& starts, const RolloutTableOptions& options,
@@ -66,5 +67,26 @@ struct DeviationBand {
 };
 constexpr int kLeastInBand = 5;
 DeviationBand deviation_band(const Model& model, const std::vector<Rollout>& rollouts);
+
+/// How many of the starts have arrived within 0, 1, 2 … steps; up to the slowest that arrives, so that the last is how
+/// many arrive at all. One 0 where none does.
+std::vector<int> arrivals_by_step(const Basin& basin, const std::vector<spatial::CellIndex>& starts);
+
+/// Where values lie, between whole ranks by proportion.
+struct Spread {
+  int count = 0;  ///< 0: there is none, and what follows is 0.
+  double least = 0.0;
+  double low = 0.0;  ///< A quarter lies below.
+  double median = 0.0;
+  double high = 0.0;  ///< A quarter lies above.
+  double most = 0.0;
+};
+/// Of those that are finite.
+Spread spread_of(std::vector<double> values);
+/// Of how far the rollouts that end so stray from the expert at their worst, metres.
+Spread worst_deviations_m(const std::vector<Rollout>& rollouts, RolloutEnd end);
+
+/// The way of a rollout up to so many steps, fractions too, from its start; W, metres; at least one point.
+std::vector<Eigen::Vector3d> way_until(const Rollout& rollout, const spatial::Grid& grid, double steps);
 
 }  // namespace trocar::learning

@@ -164,12 +164,17 @@ struct SetField {
 struct SetFieldLayers {
   std::vector<FieldSettings> layers;
 };
+/// What all rollouts have in common at an instant of their play: so many steps, or the same share of the way of each.
+enum class GhostPace : std::uint8_t { kStep, kLength };
 struct RolloutSettings {
   std::string starts = "around:3";  ///< As `learning::read_starts` reads it.
   bool ghosts = true;               ///< Draw them in the 3-D view.
   int ghost_count = 60;
   /// The start whose rollout stands out; it need not be one of `starts`.
   std::optional<spatial::CellIndex> selected;
+  GhostPace pace = GhostPace::kStep;
+  /// How far the rollouts have come where they are drawn: steps, or the share of its way, 0 … 1. None: to their ends.
+  std::optional<double> reach;
   bool operator==(const RolloutSettings&) const = default;
 };
 struct SetRollouts {
@@ -184,9 +189,12 @@ struct RunMonteCarlo {
 struct RunPhysics {
   trial::PhysicsOptions options;
 };
-/// Writes the rollouts from the chosen starts, with what erring at random found if that is of them.
+/// Which rows of rollouts are written: of the greedy ones, these with what erring at random found, or the simulator's.
+enum class RolloutRows : std::uint8_t { kGreedy, kErring, kSimulated };
+/// Writes the rows of the chosen starts. What was found of another model or of other starts is not written.
 struct ExportRollouts {
   std::filesystem::path path;
+  RolloutRows rows = RolloutRows::kGreedy;
 };
 /// How models are looked at: beside which other one, at which epoch, and whether a model of the method `exact` follows
 /// its demonstrations while they are edited.

@@ -142,6 +142,16 @@ void InsightMaker::add_second(const InsightRequest& request, ModelInsight& insig
     second.ghosts.push_back(learning::rollout(b, *second.policy, ghost.start));
   }
   second.paired = learning::compare(second.comparison->basin_a, second.comparison->basin_b, insight.starts);
+  if (!second_listed_.rollouts || second_listed_.of != request.second || second_listed_.starts != insight.starts ||
+      second_listed_.brief != listed_.brief) {
+    second_listed_.of = request.second;
+    second_listed_.starts = insight.starts;
+    second_listed_.brief = listed_.brief;
+    const int count = static_cast<int>(insight.listed->size());
+    second_listed_.rollouts =
+        std::make_shared<const std::vector<learning::Rollout>>(sample_rollouts(b, *second.policy, insight.starts, count));
+  }
+  second.listed = second_listed_.rollouts;
   if (insight.selected) {
     second.selected = learning::rollout(b, *second.policy, insight.selected->start);
     second.parts_at = learning::first_divergence(insight.selected->cells, second.selected->cells);

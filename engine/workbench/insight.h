@@ -38,8 +38,10 @@ struct SecondModel {
   std::shared_ptr<const learning::ModelComparison> comparison;  ///< A: the first, B: this one.
   std::shared_ptr<const learning::Field> outcomes;              ///< Of each start, with the first and with this one.
   learning::PairedComparison paired;                            ///< Over the chosen starts.
-  std::optional<learning::Rollout> selected;                    ///< From the selected start, with this one.
-  std::optional<int> parts_at;                                  ///< First step at which the two go different ways.
+  /// From the starts of `ModelInsight::listed`, in their order.
+  std::shared_ptr<const std::vector<learning::Rollout>> listed;
+  std::optional<learning::Rollout> selected;  ///< From the selected start, with this one.
+  std::optional<int> parts_at;                ///< First step at which the two go different ways.
 };
 
 /// How a model keeps up with a demonstration that is being edited.
@@ -120,6 +122,7 @@ class InsightMaker {
     learning::DeviationBand band;
     std::shared_ptr<const std::vector<double>> clearance_m;
   } listed_;
+  Listed second_listed_;  ///< Of the second model; without band and clearance.
   struct Compared {
     std::shared_ptr<const ModelEntry> a;
     std::shared_ptr<const ModelEntry> b;

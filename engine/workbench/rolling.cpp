@@ -33,6 +33,12 @@ PhysicsView physics_view(std::shared_ptr<const ModelEntry> entry, std::string st
   return view;
 }
 
+double steps_taken(const learning::Rollout& rollout, const RolloutSettings& settings) {
+  const auto all = static_cast<double>(rollout.cells.size() - 1);
+  if (!settings.reach) return all;
+  return std::clamp(settings.pace == GhostPace::kLength ? *settings.reach * all : *settings.reach, 0.0, all);
+}
+
 Result<std::string> rollout_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                                  const learning::MonteCarlo* monte_carlo, Progress& progress) {
   const std::vector<double> clearance_m = peg_board::clearances_m(model.grid);

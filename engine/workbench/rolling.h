@@ -13,6 +13,7 @@
 #include "engine/learning/rollout_table.h"
 #include "engine/statistics/proportion.h"
 #include "engine/trial/physics_rollout.h"
+#include "engine/workbench/command.h"
 #include "engine/workbench/project.h"
 
 namespace trocar::workbench {
@@ -46,6 +47,10 @@ struct PhysicsView {
 PhysicsView physics_view(std::shared_ptr<const ModelEntry> entry, std::string starts,
                          std::vector<spatial::CellIndex> cells, const trial::PhysicsOptions& options,
                          trial::PhysicsRollouts rollouts);
+
+/// How many steps a rollout has taken where rollouts are drawn: all of them without `RolloutSettings::reach`. As every
+/// step is one cell long, a share of its way is that share of its steps.
+double steps_taken(const learning::Rollout& rollout, const RolloutSettings& settings);
 
 /// The rows of rollouts with the clearance on this board, as window and command line write them. `monte_carlo` is of
 /// the same starts, or null. Errors: kCancelled.

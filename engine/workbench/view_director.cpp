@@ -7,6 +7,7 @@
 #include "engine/core/same_object.h"
 #include "engine/figure/field_figure.h"
 #include "engine/learning/field.h"
+#include "engine/workbench/rolling.h"
 #include "engine/workbench/whiskers.h"
 
 namespace trocar::workbench {
@@ -23,26 +24,39 @@ std::vector<Rgba> outcome_colours() {
   return figure::category_colours(outcomes);
 }
 
-void add_ghosts(const ModelInsight& insight, bool of_second, std::vector<stage::PathLayer>& paths) {
+/// Where a rollout has come to: a knob at the end of its way.
+stage::PathLayer head_at(const Eigen::Vector3d& p_W, Rgba colour, double radius_m) {
+  const Eigen::Vector3d up(0.0, 0.0, 0.5 * radius_m);
+  stage::PathLayer head;
+  head.radius_m = radius_m;
+  head.colours = {colour};
+  head.points = {p_W - up, p_W + up};
+  return head;
+}
+
+void add_rollout(const learning::Rollout& rollout, const spatial::Grid& grid, const RolloutSettings& how, Rgba colour,
+                 double radius_m, std::vector<stage::PathLayer>& paths) {
+  stage::PathLayer path;
+  path.radius_m = radius_m;
+  path.colours = {colour};
+  path.points = learning::way_until(rollout, grid, steps_taken(rollout, how));
+  if (how.reach) paths.push_back(head_at(path.points.back(), colour, radius_m + 0.0006));
+  if (path.points.size() > 1) paths.push_back(std::move(path));
+}
+
+void add_ghosts(const PathsRequest& request, std::vector<stage::PathLayer>& paths) {
+  const ModelInsight& insight = *request.rollouts;
+  const std::vector<learning::Rollout>& ghosts = request.of_second ? insight.second->ghosts : insight.ghosts;
+  const auto& selected = request.of_second ? insight.second->selected : insight.selected;
   const std::vector<Rgba> colours = outcome_colours();
-  const std::vector<learning::Rollout>& ghosts = of_second ? insight.second->ghosts : insight.ghosts;
-  const std::optional<learning::Rollout>& selected = of_second ? insight.second->selected : insight.selected;
+  const spatial::Grid& grid = insight.entry->model->grid;
+  const auto colour = [&colours](const learning::Rollout& one) { return colours[static_cast<std::size_t>(one.end)]; };
   for (const learning::Rollout& rollout : ghosts) {
-    if (rollout.cells.size() < 2) continue;
-    stage::PathLayer path;
-    path.radius_m = 0.00025;
-    path.colours = {colours[static_cast<std::size_t>(rollout.end)]};
-    for (const spatial::CellIndex cell : rollout.cells) path.points.push_back(insight.entry->model->grid.centre(cell));
-    paths.push_back(std::move(path));
+    if (rollout.cells.size() > 1) add_rollout(rollout, grid, request.how, colour(rollout), 0.00025, paths);
   }
   if (!selected || selected->cells.size() < 2) return;
-  stage::PathLayer chosen;
-  chosen.radius_m = 0.001;  // What stands out is thick, in the colour of its end as all others.
-  chosen.colours = {colours[static_cast<std::size_t>(selected->end)]};
-  for (const spatial::CellIndex cell : selected->cells) {
-    chosen.points.push_back(insight.entry->model->grid.centre(cell));
-  }
-  paths.push_back(std::move(chosen));
+  // What stands out is thick, in the colour of its end as all others.
+  add_rollout(*selected, grid, request.how, colour(*selected), 0.001, paths);
 }
 
 /// Where the tools went before the edit that is shown.
@@ -54,6 +68,21 @@ void add_ghost_of(const demonstration::Demonstration& before, std::vector<stage:
     ghost.radius_m *= 0.6;
     paths.push_back(std::move(ghost));
   }
+}
+
+/// Where the tools go, and went before an edit or in what they are compared with.
+std::shared_ptr<const std::vector<stage::PathLayer>> tool_paths(const PathsRequest& request) {
+  auto paths = std::make_shared<std::vector<stage::PathLayer>>();
+  if (!request.shown || request.shown->gated().empty()) return paths;
+  paths->push_back(stage::path_of(*request.shown, kinematics::ArmSide::kLeft));
+  paths->push_back(stage::path_of(*request.shown, kinematics::ArmSide::kRight));
+  if (request.comparison && request.comparison->of.after == request.shown) {
+    add_ghost_of(*request.comparison->of.before, *paths);
+    add_whiskers(*request.comparison->comparison, *paths);
+  } else if (request.before) {
+    add_ghost_of(*request.before, *paths);
+  }
+  return paths;
 }
 
 /// The comparison that is to be drawn, null if none is; not before it is of what is shown.
@@ -78,7 +107,10 @@ PathsRequest paths_of(const WorkbenchState& state) {
   request.shown = selected(state);
   if (state.preview && state.preview->after) request.before = state.preview->before;
   request.comparison = drawn_comparison(state);
-  if (state.rollouts.ghosts) request.rollouts = state.insight;
+  if (!state.rollouts.ghosts) return request;
+  request.rollouts = state.insight;
+  request.how.pace = state.rollouts.pace;
+  request.how.reach = state.rollouts.reach;
   return request;
 }
 
@@ -237,32 +269,36 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) const {
   return request;
 }
 
-bool PathMaker::Kept::is_of(const PathsRequest& request) const {
+bool PathMaker::Kept::same_tools(const PathsRequest& request) const {
   return same_object(shown, request.shown) && same_object(before, request.before) &&
-         same_object(comparison, request.comparison) && same_object(rollouts, request.rollouts) &&
-         of_second == request.of_second;
+         same_object(comparison, request.comparison);
+}
+
+bool PathMaker::Kept::is_of(const PathsRequest& request) const {
+  return same_tools(request) && same_object(rollouts, request.rollouts) && of_second == request.of_second &&
+         how == request.how;
 }
 
 std::shared_ptr<const std::vector<stage::PathLayer>> PathMaker::make(const PathsRequest& request) {
+  Paths tools;
   for (auto kept = kept_.begin(); kept != kept_.end(); ++kept) {
-    if (!kept->is_of(request)) continue;
+    if (!kept->same_tools(request)) continue;
+    if (!kept->is_of(request)) {
+      tools = kept->tools;
+      continue;
+    }
     std::rotate(kept_.begin(), kept, kept + 1);
     return kept_.front().paths;
   }
-  auto paths = std::make_shared<std::vector<stage::PathLayer>>();
-  if (request.shown && !request.shown->gated().empty()) {
-    paths->push_back(stage::path_of(*request.shown, kinematics::ArmSide::kLeft));
-    paths->push_back(stage::path_of(*request.shown, kinematics::ArmSide::kRight));
-    if (request.comparison && request.comparison->of.after == request.shown) {
-      add_ghost_of(*request.comparison->of.before, *paths);
-      add_whiskers(*request.comparison->comparison, *paths);
-    } else if (request.before) {
-      add_ghost_of(*request.before, *paths);
-    }
+  if (!tools) tools = tool_paths(request);
+  Paths all = tools;
+  if (request.rollouts) {
+    auto paths = std::make_shared<std::vector<stage::PathLayer>>(*tools);
+    add_ghosts(request, *paths);
+    all = std::move(paths);
   }
-  if (request.rollouts) add_ghosts(*request.rollouts, request.of_second, *paths);
-  kept_.push_front(
-      {request.shown, request.before, request.comparison, request.rollouts, request.of_second, std::move(paths)});
+  kept_.push_front({request.shown, request.before, request.comparison, request.rollouts, request.of_second, request.how,
+                    std::move(tools), std::move(all)});
   if (kept_.size() > kKeptPaths) kept_.pop_back();
   return kept_.front().paths;
 }

@@ -21,6 +21,7 @@ struct PathsRequest {
   std::shared_ptr<const ComparisonView> comparison;            ///< That is drawn, if one is.
   std::shared_ptr<const ModelInsight> rollouts;                ///< Whose rollouts are drawn, if any are …
   bool of_second = false;                                      ///< … those of its second model.
+  RolloutSettings how;                                         ///< How far they have come.
 };
 
 /// So many versions are remembered, for undo and redo.
@@ -41,7 +42,10 @@ class PathMaker {
     std::weak_ptr<const ComparisonView> comparison;
     std::weak_ptr<const ModelInsight> rollouts;
     bool of_second = false;
+    RolloutSettings how;
+    Paths tools;  ///< Without the rollouts, which are played over them.
     Paths paths;
+    bool same_tools(const PathsRequest& request) const;
     bool is_of(const PathsRequest& request) const;
   };
   std::deque<Kept> kept_;  ///< The newest comes first.

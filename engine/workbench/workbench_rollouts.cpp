@@ -74,12 +74,23 @@ void Workbench::Impl::on(const ExportRollouts& command) {
   if (!is_output(command.path)) return;
   if (!state.insight || !state.insight->entry) return log(Severity::kError, "no model is selected");
   const auto work = [entry = state.insight->entry, starts = state.rollouts.starts, erred = state.monte_carlo,
-                     path = command.path](Progress& progress) -> Result<JobResult> {
+                     simulated = state.physics, command](Progress& progress) -> Result<JobResult> {
     TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> cells, learning::read_starts(starts, *entry->model));
-    const bool of_these = erred && erred->entry == entry && erred->starts == starts && erred->result.starts == cells;
+    if (command.rows == RolloutRows::kSimulated) {
+      if (!simulated || simulated->entry != entry || simulated->cells != cells) {
+        return fail(ErrorCode::kInvalidArgument, "these starts of this model were not run in the simulator");
+      }
+      TROCAR_RETURN_IF_ERROR(
+          write_file(command.path, trial::physics_csv(*entry->model, cells, simulated->options, simulated->rollouts)));
+      return JobResult{fmt::format("{} rollouts of the simulator written", simulated->finished), {}};
+    }
+    const bool erring = command.rows == RolloutRows::kErring;
+    if (erring && (!erred || erred->entry != entry || erred->result.starts != cells)) {
+      return fail(ErrorCode::kInvalidArgument, "from these starts this model did not err at random");
+    }
     TROCAR_ASSIGN_OR_RETURN(const std::string rows,
-                            rollout_rows(*entry->model, cells, of_these ? &erred->result : nullptr, progress));
-    TROCAR_RETURN_IF_ERROR(write_file(path, rows));
+                            rollout_rows(*entry->model, cells, erring ? &erred->result : nullptr, progress));
+    TROCAR_RETURN_IF_ERROR(write_file(command.path, rows));
     return JobResult{fmt::format("{} rollouts written", cells.size()), {}};
   };
   jobs.start("Export " + command.path.filename().string(), work);

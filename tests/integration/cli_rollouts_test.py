@@ -1,6 +1,7 @@
 """Rollouts on the command line: start sets, random errors, why they fail, where two models part, in the simulator."""
 import csv
 import math
+import statistics
 import unittest
 
 from cli_support import USAGE, WORLD, CommandLineTest, trocar
@@ -50,12 +51,31 @@ class RolloutsTest(CommandLineTest):
         rows = rows_of(one)
         self.assertEqual(sum(int(row["runs_arrived"]) for row in rows), found["arrived"])
         for row in rows:
+            self.assertEqual(row["runs"], "50")
             self.assertAlmostEqual(float(row["share"]), int(row["runs_arrived"]) / 50, places=5)
             self.assertLessEqual(float(row["low"]), float(row["share"]) + 1e-6)
             self.assertEqual(row["mean_steps"] == "", row["runs_arrived"] == "0")
         self.assertNotIn("monte_carlo", self.answer("rollout", "run", project, "paper"))
         for wrong in (("--epsilon", "1.5"), ("--epsilon", "0.1", "--runs", "0"), ("--epsilon", "0.1", "--threads", "0")):
             self.refused("rollout", "run", project, "paper", *wrong, code=USAGE)
+
+    def test_the_spread_is_that_of_the_rows(self):
+        project = self.with_paper()
+        out = self.folder / "out.csv"
+        answer = self.answer("rollout", "run", project, "paper", "--starts", "around:3", "--spread", "--out", out)
+        rows = rows_of(out)
+        steps = sorted(int(row["steps"]) for row in rows if row["end"] == "arrives")
+        self.assertEqual(answer["arrivals_by_step"],
+                         [sum(1 for one in steps if one <= step) for step in range(steps[-1] + 1)])
+        self.assertEqual(answer["arrivals_by_step"][-1], answer["arrived"])
+        self.assertEqual(sum(spread["count"] for spread in answer["worst_deviation_mm"].values()), len(rows))
+        for end, spread in answer["worst_deviation_mm"].items():
+            values = sorted(float(row["max_deviation_mm"]) for row in rows if row["end"] == end)
+            self.assertEqual(spread["count"], len(values))
+            self.assertAlmostEqual(spread["least"], values[0], delta=1e-4)
+            self.assertAlmostEqual(spread["most"], values[-1], delta=1e-4)
+            self.assertAlmostEqual(spread["median"], statistics.median(values), delta=1e-4)
+        self.assertNotIn("arrivals_by_step", self.answer("rollout", "run", project, "paper", "--starts", "around:3"))
 
     def test_why_it_fails_and_where_two_part(self):
         project = self.with_paper()

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "engine/workbench/rolling.h"
 #include "ui/format.h"
 #include "ui/icons.h"
+#include "ui/panels/rollout_axes.h"
 #include "ui/panels/rollout_parts.h"
 
 namespace trocar::ui {
@@ -21,10 +23,6 @@ std::string listed_words(const workbench::ModelInsight& insight) {
   const std::string all = count(static_cast<std::int64_t>(insight.starts.size()));
   if (listed == insight.starts.size()) return all + " rollouts";
   return fmt::format("{} of {} rollouts, evenly", count(static_cast<std::int64_t>(listed)), all);
-}
-
-std::span<const double> clearance_of(const workbench::ModelInsight& insight) {
-  return insight.clearance_m ? std::span<const double>(*insight.clearance_m) : std::span<const double>();
 }
 
 /// What stands in the columns after start and end.
@@ -69,20 +67,50 @@ void table_row(Ui& ui, const WorkbenchState& state, const Rollout& rollout, Requ
   }
 }
 
-/// From the side: y to the right, z up.
-ImVec2 seen_from_side(const Rect& rect, const spatial::Grid& grid, spatial::CellIndex cell) {
-  const spatial::CellCoordinates c = grid.coordinates(cell);
+/// From the side: y to the right, z up; W, metres.
+ImVec2 seen_from_side(const Rect& rect, const spatial::Grid& grid, const Eigen::Vector3d& p_W) {
+  const Eigen::Vector3d cells = (p_W - grid.p_WGo) / grid.cell_m;
   const float step = std::min(rect.width(), rect.height()) / static_cast<float>(grid.n);
-  return {rect.x0 + (static_cast<float>(c.y) + 0.5F) * step, rect.y1 - (static_cast<float>(c.z) + 0.5F) * step};
+  return {rect.x0 + static_cast<float>(cells.y()) * step, rect.y1 - static_cast<float>(cells.z()) * step};
+}
+
+ImVec2 seen_from_side(const Rect& rect, const spatial::Grid& grid, spatial::CellIndex cell) {
+  return seen_from_side(rect, grid, grid.centre(cell));
+}
+
+void draw_points(Ui& ui, const std::vector<ImVec2>& points, ImU32 colour, float width) {
+  if (points.size() < 2) return;
+  ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), colour, 0, ui.px(width));
 }
 
 void draw_way(Ui& ui, const Rect& rect, const spatial::Grid& grid, const learning::CellSequence& cells, Rgba colour,
-              float width) {
+              float alpha, float width) {
   std::vector<ImVec2> points;
   for (const spatial::CellIndex cell : cells) points.push_back(seen_from_side(rect, grid, cell));
-  if (points.size() < 2) return;
-  ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), to_u32(colour), 0,
-                                          ui.px(width));
+  draw_points(ui, points, to_u32(colour, alpha), width);
+}
+
+/// As far as it has come, with its head; what is still to come is faint.
+void draw_rollout(Ui& ui, const Rect& rect, const spatial::Grid& grid, const Rollout& rollout,
+                  const workbench::RolloutSettings& settings, Rgba colour) {
+  if (!settings.reach) return draw_way(ui, rect, grid, rollout.cells, colour, 1.0F, 2.0F);
+  draw_way(ui, rect, grid, rollout.cells, colour, 0.3F, 1.0F);
+  std::vector<ImVec2> points;
+  for (const Eigen::Vector3d& p_W : learning::way_until(rollout, grid, workbench::steps_taken(rollout, settings))) {
+    points.push_back(seen_from_side(rect, grid, p_W));
+  }
+  draw_points(ui, points, to_u32(colour), 2.0F);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddCircleFilled(points.back(), ui.px(4.5F), to_u32(ui.theme().text), 16);
+  list.AddCircleFilled(points.back(), ui.px(3), to_u32(colour), 16);
+}
+
+/// "loops, 12.25 mm", and where it is while all are played.
+std::string mini_words(const Rollout& rollout, std::string_view measure, const workbench::RolloutSettings& settings) {
+  std::string words = fmt::format("{}, {}", learning::to_string(rollout.end), measure);
+  if (!settings.reach) return words;
+  const auto steps = static_cast<int>(std::floor(workbench::steps_taken(rollout, settings) + 1e-6));
+  return words + fmt::format(", step {} of {}", steps, rollout.cells.size() - 1);
 }
 
 bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, float side, std::string_view measure) {
@@ -90,7 +118,7 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
   const Scope scope(ui, start_words(model.grid, rollout.start));
   ImGui::BeginGroup();
   const auto [words, colour] = end_words(ui.theme(), rollout.end);
-  canvas(ui, "Rollout", {side, side}, fmt::format("{}, {}", learning::to_string(rollout.end), measure),
+  canvas(ui, "Rollout", {side, side}, mini_words(rollout, measure, state.rollouts),
          {.help = "From the side: y to the right, z up; the expert's way is grey"});
   const bool clicked = ImGui::IsItemClicked();
   const Rect rect = item_rect();
@@ -101,8 +129,8 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
   list.AddRect({rect.x0, rect.y0}, {rect.x1, rect.y1}, to_u32(edge), ui.px(3), 0, ui.px(selected ? 2.0F : 1.0F));
   const float inset = ui.px(4);
   const Rect inside{rect.x0 + inset, rect.y0 + inset, rect.x1 - inset, rect.y1 - inset};
-  draw_way(ui, inside, model.grid, model.experts.front(), ui.theme().text_disabled, 1.0F);
-  draw_way(ui, inside, model.grid, rollout.cells, colour, 2.0F);
+  draw_way(ui, inside, model.grid, model.experts.front(), ui.theme().text_disabled, 1.0F, 1.0F);
+  draw_rollout(ui, inside, model.grid, rollout, state.rollouts, colour);
   list.AddCircleFilled(seen_from_side(inside, model.grid, model.goal), ui.px(3), IM_COL32(255, 200, 60, 255), 12);
   list.AddCircleFilled(seen_from_side(inside, model.grid, rollout.start), ui.px(3), to_u32(ui.theme().text), 12);
   {
@@ -116,17 +144,19 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
 
 }  // namespace
 
-const std::vector<std::size_t>& RolloutOrder::of(const workbench::ModelInsight& insight, RolloutMeasure by,
-                                                 bool descending) {
-  if (of_ == insight.listed && by_ == by && descending_ == descending) return order_;
+const std::vector<std::size_t>& RolloutOrder::of(const workbench::ModelInsight& insight, const RolloutBrush& brush,
+                                                 RolloutMeasure by, bool descending) {
+  if (of_ == insight.listed && by_ == by && descending_ == descending && version_ == brush.version()) return order_;
   of_ = insight.listed;
   by_ = by;
   descending_ = descending;
+  version_ = brush.version();
   order_ = learning::sorted_by(*of_, by, descending, insight.entry->model->grid, clearance_of(insight));
+  std::erase_if(order_, [&brush](std::size_t place) { return !brush.keeps(place); });
   return order_;
 }
 
-void RolloutTable::draw(Ui& ui, const WorkbenchState& state, Requests& requests) {
+void RolloutTable::draw(Ui& ui, const WorkbenchState& state, const RolloutBrush& brush, Requests& requests) {
   const Scope scope(ui, "Table");
   const workbench::ModelInsight& insight = *state.insight;
   small_text(ui, listed_words(insight) + "; a click on a row brings it out", ui.theme().text_dim);
@@ -146,7 +176,7 @@ void RolloutTable::draw(Ui& ui, const WorkbenchState& state, Requests& requests)
     by_ = static_cast<RolloutMeasure>(sort->Specs[0].ColumnIndex);
     descending_ = sort->Specs[0].SortDirection == ImGuiSortDirection_Descending;
   }
-  const std::vector<std::size_t>& order = order_.of(insight, by_, descending_);
+  const std::vector<std::size_t>& order = order_.of(insight, brush, by_, descending_);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(order.size()));
   while (clipper.Step()) {
@@ -159,7 +189,7 @@ void RolloutTable::draw(Ui& ui, const WorkbenchState& state, Requests& requests)
   ImGui::EndTable();
 }
 
-void RolloutMultiples::draw(Ui& ui, const WorkbenchState& state, Requests& requests) {
+void RolloutMultiples::draw(Ui& ui, const WorkbenchState& state, RolloutBrush& brush, Requests& requests) {
   const Scope scope(ui, "Small multiples");
   constexpr std::size_t kMost = 24;
   const workbench::ModelInsight& insight = *state.insight;
@@ -169,7 +199,8 @@ void RolloutMultiples::draw(Ui& ui, const WorkbenchState& state, Requests& reque
   checkbox(ui, "Largest first", descending_, {.help = "Else the smallest"});
   form_label(ui, "Columns");
   slider_int(ui, "Columns", columns_, 2, 8, "%d side by side", {.help = "How many pictures stand side by side"});
-  const std::vector<std::size_t>& order = order_.of(insight, static_cast<RolloutMeasure>(by_), descending_);
+  const std::vector<std::size_t>& order = order_.of(insight, brush, static_cast<RolloutMeasure>(by_), descending_);
+  draw_brushed(ui, brush);
   const std::size_t shown = std::min(kMost, order.size());
   small_text(ui, fmt::format("{} of {}", shown, listed_words(insight)), ui.theme().text_dim);
   const float gap = ui.px(6);

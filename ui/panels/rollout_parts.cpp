@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "engine/learning/rollout_table.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 
@@ -107,6 +107,35 @@ const std::vector<std::string>& measure_names() {
                                                "Worst",  "Mean",    "Fréchet",  "Last moves", "From above",
                                                "Reward", "Departs", "Clearance"};
   return kNames;
+}
+
+std::string measure_words(learning::RolloutMeasure measure, double value) {
+  using learning::RolloutMeasure;
+  if (!std::isfinite(value)) return "unknown";
+  const auto whole = static_cast<int>(std::lround(value));
+  switch (measure) {
+    case RolloutMeasure::kStart:
+    case RolloutMeasure::kSteps:
+      return count(whole);
+    case RolloutMeasure::kEnd:
+      return std::string(learning::to_string(static_cast<RolloutEnd>(std::clamp(whole, 0, 3))));
+    case RolloutMeasure::kLength:
+    case RolloutMeasure::kMaxDeviation:
+    case RolloutMeasure::kMeanDeviation:
+    case RolloutMeasure::kFrechet:
+    case RolloutMeasure::kClearance:
+      return millimetres(value);
+    case RolloutMeasure::kLastMoves:
+      return fmt::format("{} of 3 down", whole);
+    case RolloutMeasure::kFromAbove:
+      return whole == 1 ? "yes" : "no";
+    case RolloutMeasure::kDivergence:
+      return whole < 0 ? "never" : fmt::format("step {}", whole);
+    case RolloutMeasure::kStraightness:
+    case RolloutMeasure::kReward:
+      break;
+  }
+  return number(value);
 }
 
 }  // namespace trocar::ui

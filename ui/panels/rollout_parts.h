@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/learning/rollout_table.h"
 #include "ui/panel.h"
 
 namespace trocar::ui {
@@ -29,5 +30,7 @@ void draw_job_under_way(Ui& ui, const workbench::JobView& job, std::string_view 
 
 /// Columns of the table, the measures that rollouts are sorted by.
 const std::vector<std::string>& measure_names();
+/// A value as `learning::measure` has it, for people: "12.50 mm", "loops", "2 of 3 down".
+std::string measure_words(learning::RolloutMeasure measure, double value);
 
 }  // namespace trocar::ui

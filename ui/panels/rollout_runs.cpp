@@ -120,22 +120,46 @@ void RolloutRuns::draw_physics(Ui& ui, const WorkbenchState& state, Requests& re
   fact(ui, "Blocks pushed by", "at most " + millimetres(found->pushed_m));
 }
 
+std::string RolloutRuns::no_rows(const WorkbenchState& state) const {
+  if (!file_.ends_with(".csv")) return "The name must end in .csv";
+  const auto rows = static_cast<workbench::RolloutRows>(rows_);
+  const auto of_others = [&state](const auto& found) {
+    return found->entry != state.insight->entry || found->starts != state.rollouts.starts;
+  };
+  constexpr std::string_view kOthers = "What was found is of another model or other starts: run it again";
+  if (rows == workbench::RolloutRows::kErring) {
+    if (!state.monte_carlo) return "Nothing is known yet: let the agent err at random first";
+    if (of_others(state.monte_carlo)) return std::string(kOthers);
+  }
+  if (rows == workbench::RolloutRows::kSimulated) {
+    if (!state.physics) return "Nothing is known yet: simulate the rollouts first";
+    if (of_others(state.physics)) return std::string(kOthers);
+  }
+  return no_starts(state);
+}
+
 void RolloutRuns::draw_export(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "Export");
+  static const std::vector<std::string> kRows{"Exact", "Erring", "Simulator"};
   heading(ui, "Export");
+  form_label(ui, "Rows");
+  segmented(
+      ui, "Rows", rows_, kRows,
+      {.help = "All measures of each start; these with runs, arrivals and Wilson's interval; or the simulator's"});
   form_label(ui, "File");
-  text_field(ui, "File", file_, "rollouts.csv", {.help = ".csv: the rows that trocar rollout run --out writes"});
-  const std::string reason = file_.ends_with(".csv") ? no_starts(state) : "The name must end in .csv";
+  text_field(ui, "File", file_, "rollouts.csv", {.help = ".csv: the bytes that the command line writes"});
+  const std::string reason = no_rows(state);
+  const Command rows{workbench::ExportRollouts{file_, static_cast<workbench::RolloutRows>(rows_)}};
   if (button(ui, "Export CSV",
              {.icon = icon::kTable,
-              .help = "One row for each chosen start, all measures; the same bytes as the command line writes",
+              .help = "One row for each chosen start; the same bytes as the command line writes",
               .reason = reason})) {
-    requests.emplace_back(Command{workbench::ExportRollouts{file_}});
+    requests.emplace_back(rows);
   }
-  const std::string command = command_text(Command{workbench::ExportRollouts{file_}}, state);
+  const std::string typed = command_text(rows, state);
   flow(button_width(ui, "Copy as command", icon::kCopy), ui.px(6));
-  if (button(ui, "Copy as command", {.icon = icon::kCopy, .help = command, .style = ButtonStyle::kQuiet})) {
-    requests.emplace_back(CopyText{command});
+  if (button(ui, "Copy as command", {.icon = icon::kCopy, .help = typed, .style = ButtonStyle::kQuiet})) {
+    requests.emplace_back(CopyText{typed});
   }
 }
 

@@ -15,12 +15,15 @@ class RolloutRuns {
   void draw_erring(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_physics(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_export(Ui& ui, const WorkbenchState& state, Requests& requests);
+  /// Why such rows cannot be written; "" if they can.
+  std::string no_rows(const WorkbenchState& state) const;
 
   float epsilon_ = 0.1F;
   std::int64_t runs_ = 100;
   std::int64_t seed_ = 1;
   std::int64_t world_seed_ = 1;
   bool continuous_ = false;
+  int rows_ = 0;  ///< As `workbench::RolloutRows`.
   std::string file_ = "rollouts.csv";
 };
 

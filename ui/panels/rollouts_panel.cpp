@@ -87,7 +87,11 @@ void RolloutsPanel::draw_outcomes(Ui& ui, const WorkbenchState& state, Requests&
   ImGui::Dummy({0.0F, ui.px(3)});
   summary_block(ui, "All cells", insight.all);
   ImGui::Dummy({0.0F, ui.px(3)});
+  arrivals_.draw(ui, state.insight);
+  ImGui::Dummy({0.0F, ui.px(3)});
   draw_deviation_band(ui, insight);
+  ImGui::Dummy({0.0F, ui.px(3)});
+  boxes_.draw(ui, insight);
 }
 
 Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
@@ -118,8 +122,16 @@ Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
   segmented(ui, "Page", page_, kPages, {.help = "What of the rollouts is shown"});
   ImGui::Dummy({0.0F, ui.px(3)});
   if (page_ == 0) draw_outcomes(ui, state, requests);
-  if (page_ == 1) table_.draw(ui, state, requests);
-  if (page_ == 2) multiples_.draw(ui, state, requests);
+  brush_.update(*state.insight);
+  if (page_ == 1) {
+    axes_.draw(ui, state, brush_);
+    table_.draw(ui, state, brush_, requests);
+  }
+  if (page_ == 2) {
+    draw_ghosts(ui, state, requests);
+    play_.draw(ui, state, requests);
+    multiples_.draw(ui, state, brush_, requests);
+  }
   if (page_ == 3) runs_.draw(ui, state, requests);
   if (page_ == 4) draw_second_model(ui, state, requests);
   return requests;

@@ -2,8 +2,12 @@
 #pragma once
 
 #include "ui/panel.h"
+#include "ui/panels/rollout_arrivals.h"
+#include "ui/panels/rollout_axes.h"
+#include "ui/panels/rollout_boxes.h"
 #include "ui/panels/rollout_list.h"
 #include "ui/panels/rollout_map.h"
+#include "ui/panels/rollout_play.h"
 #include "ui/panels/rollout_runs.h"
 #include "ui/panels/rollout_starts.h"
 
@@ -19,7 +23,12 @@ class RolloutsPanel final : public Panel {
 
   RolloutStarts starts_;
   RolloutMap map_;
+  RolloutArrivals arrivals_;
+  RolloutBoxes boxes_;
+  RolloutBrush brush_;
+  RolloutAxes axes_;
   RolloutTable table_;
+  RolloutPlay play_;
   RolloutMultiples multiples_;
   RolloutRuns runs_;
   int page_ = 0;

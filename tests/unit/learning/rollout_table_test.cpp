@@ -84,13 +84,16 @@ TEST_CASE("the columns of random rollouts hold the counts and Wilson's interval,
   erring.finished = 5;
   const auto rows = rows_of(csv_for(model, starts, {{}, &erring}));
   const std::size_t at = rows.front().size() - 5;
+  CHECK(rows.front()[at - 1] == "runs");
   CHECK(rows.front()[at] == "runs_arrived");
   CHECK(rows.front()[at + 4] == "mean_steps");
+  CHECK(rows[1][at - 1] == "20");
   CHECK(rows[1][at] == std::to_string(erring.arrived[0]));
   const auto interval = statistics::wilson_interval(erring.arrived[0], 20);
   CHECK(std::stod(rows[1][at + 2]) == doctest::Approx(interval.low).epsilon(1e-5));
   CHECK(std::stod(rows[1][at + 3]) == doctest::Approx(interval.high).epsilon(1e-5));
-  for (std::size_t i = at; i < rows.front().size(); ++i) CHECK(rows[6][i].empty());
+  for (const auto& row : rows) REQUIRE(row.size() == rows.front().size());
+  for (std::size_t i = at - 1; i < rows.front().size(); ++i) CHECK(rows[6][i].empty());
   CHECK_FALSE(rows[5][at].empty());
 }
 
@@ -150,6 +153,72 @@ TEST_CASE("the band holds the middle one of the deviations, step by step") {
   std::sort(first.begin(), first.end());
   CHECK(band.median.front() == doctest::Approx(first[first.size() / 2]));
   CHECK(deviation_band(model, {rollouts.front()}).median.empty());
+}
+
+TEST_CASE("arrivals grow step by step to what arrives at all, each rollout counted from its own last step on") {
+  const Model model = listed(Method::kEgMaxent);
+  const auto starts = starts_around(model, 3);
+  const Basin outcomes = basin(model, greedy_policy(model));
+  const std::vector<int> by_step = arrivals_by_step(outcomes, starts);
+  const auto rollouts = rolled_out(model, starts);
+  REQUIRE(by_step.size() > 1);
+  for (std::size_t step = 0; step < by_step.size(); ++step) {
+    const auto within = std::count_if(rollouts.begin(), rollouts.end(), [step](const Rollout& one) {
+      return one.end == RolloutEnd::kArrives && one.cells.size() - 1 <= step;
+    });
+    REQUIRE(by_step[step] == within);
+  }
+  CHECK(by_step.back() == summarise(outcomes, starts).arrived);
+  CHECK(by_step[by_step.size() - 2] < by_step.back());
+  CHECK(by_step.back() < static_cast<int>(starts.size()));
+  CHECK(arrivals_by_step(outcomes, {}) == std::vector<int>{0});
+}
+
+TEST_CASE("the spread of values is known by hand, and what is not finite is left out") {
+  const Spread spread = spread_of({4.0, 1.0, std::nan(""), 3.0, 2.0, 5.0});
+  CHECK(spread.count == 5);
+  CHECK(spread.least == 1.0);
+  CHECK(spread.low == 2.0);
+  CHECK(spread.median == 3.0);
+  CHECK(spread.high == 4.0);
+  CHECK(spread.most == 5.0);
+  CHECK(spread_of({1.0, 2.0}).median == 1.5);
+  CHECK(spread_of({std::nan("")}).count == 0);
+}
+
+TEST_CASE("worst deviations are told apart by how rollouts end") {
+  const Model model = listed(Method::kEgMaxent);
+  const auto rollouts = rolled_out(model, starts_around(model, 3));
+  const Spread arrive = worst_deviations_m(rollouts, RolloutEnd::kArrives);
+  const Spread loop = worst_deviations_m(rollouts, RolloutEnd::kLoops);
+  REQUIRE(arrive.count > 0);
+  REQUIRE(loop.count > 0);
+  int loops = 0;
+  double most = 0.0;
+  for (const Rollout& one : rollouts) {
+    if (one.end != RolloutEnd::kLoops) continue;
+    ++loops;
+    most = std::max(most, one.max_deviation_m);
+  }
+  CHECK(loop.count == loops);
+  CHECK(loop.most == most);
+}
+
+TEST_CASE("a way until a step has its cells, a part of the next one, and ends where the rollout ends") {
+  const Model model = listed(Method::kExact);
+  const Rollout one = rolled_out(model, {model.start}).front();
+  REQUIRE(one.cells.size() > 4);
+  CHECK(way_until(one, model.grid, -1.0).size() == 1);
+  const auto part = way_until(one, model.grid, 2.25);
+  REQUIRE(part.size() == 4);
+  const Eigen::Vector3d second = model.grid.centre(one.cells[2]);
+  const Eigen::Vector3d third = model.grid.centre(one.cells[3]);
+  CHECK((part[2] - second).norm() == 0.0);
+  CHECK((part[3] - second).norm() == doctest::Approx(0.25 * model.grid.cell_m));
+  CHECK((part[3] - third).norm() == doctest::Approx(0.75 * model.grid.cell_m));
+  const auto whole = way_until(one, model.grid, 1e9);
+  CHECK(whole.size() == one.cells.size());
+  CHECK((whole.back() - model.grid.centre(model.goal)).norm() == 0.0);
 }
 
 TEST_CASE("a table that is cancelled is none") {

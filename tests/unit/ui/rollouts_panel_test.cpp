@@ -182,6 +182,50 @@ TEST_CASE("rows are exported under the name that was typed, and copied as the co
   CHECK(desk.window.clipboard() == "trocar rollout run /data/pegs.trocar 3 --starts around:3 --out mine.csv");
 }
 
+TEST_CASE("rows of erring and of the simulator are offered once they are known of these starts, with their commands") {
+  RolloutsDesk desk;
+  desk.click("Rollouts/Page/Chance");
+  const auto reason = [&desk](const std::string& rows) {
+    desk.click("Rollouts/Export/Rows/" + rows);
+    return desk.driver().item("Rollouts/Export/Export CSV").value().reason;
+  };
+  const auto copied = [&desk]() {
+    desk.click("Rollouts/Export/Copy as command");
+    return desk.window.clipboard();
+  };
+  CHECK(reason("Erring").find("err at random first") != std::string::npos);
+  CHECK(reason("Simulator").find("simulate the rollouts first") != std::string::npos);
+  Progress progress;
+  learning::MonteCarloOptions erring;
+  erring.runs = 7;
+  erring.seed = 9;
+  auto view = workbench::monte_carlo_view(
+      desk.state.insight->entry, desk.state.rollouts.starts,
+      learning::monte_carlo(desk.model(), desk.state.insight->starts, erring, progress).value());
+  desk.state.monte_carlo = std::make_shared<const workbench::MonteCarloView>(view);
+  trial::PhysicsOptions options;
+  options.seed = 4;
+  options.continuous = true;
+  desk.state.physics = std::make_shared<const workbench::PhysicsView>(
+      workbench::physics_view(desk.state.insight->entry, desk.state.rollouts.starts, desk.state.insight->starts,
+                              options, trial::PhysicsRollouts(desk.state.insight->starts.size())));
+  CHECK(desk.driver().frames(3));
+  CHECK(reason("Erring").empty());
+  CHECK(copied() ==
+        "trocar rollout run /data/pegs.trocar 3 --starts around:3 --epsilon 0.1 --runs 7 --seed 9 --out rollouts.csv");
+  desk.click("Rollouts/Export/Export CSV");
+  CHECK(desk.last<workbench::ExportRollouts>()->rows == workbench::RolloutRows::kErring);
+  CHECK(reason("Simulator").empty());
+  CHECK(copied() ==
+        "trocar rollout physics /data/pegs.trocar 3 --starts around:3 --seed 4 --continuous --out rollouts.csv");
+  desk.click("Rollouts/Export/Export CSV");
+  CHECK(desk.last<workbench::ExportRollouts>()->rows == workbench::RolloutRows::kSimulated);
+  view.starts = "all";
+  desk.state.monte_carlo = std::make_shared<const workbench::MonteCarloView>(view);
+  CHECK(desk.driver().frames(3));
+  CHECK(reason("Erring").find("other starts") != std::string::npos);
+}
+
 TEST_CASE("a second model is chosen in the panel, and its pairs are told with their p") {
   workbench::WorkbenchState state = testing::made_state_with_model();
   auto project = std::make_shared<workbench::Project>(*state.project);

@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "engine/workbench/insight.h"
+#include "engine/workbench/view_director.h"
 #include "tests/support/lattice_demonstrations.h"
 
 using namespace trocar;
@@ -77,6 +80,14 @@ TEST_CASE("the insight lists every start, brings out the selected one, says why 
   CHECK(insight->second->paired.wins_a + insight->second->paired.wins_b + insight->second->paired.ties ==
         static_cast<int>(insight->starts.size()));
   CHECK(insight->second->paired.wins_b > 0);
+  REQUIRE(insight->second->listed);
+  REQUIRE(insight->second->listed->size() == insight->listed->size());
+  int arrive = 0;
+  for (std::size_t i = 0; i < insight->listed->size(); ++i) {
+    REQUIRE((*insight->second->listed)[i].start == (*insight->listed)[i].start);
+    arrive += (*insight->second->listed)[i].end == learning::RolloutEnd::kArrives ? 1 : 0;
+  }
+  CHECK(arrive == learning::summarise(insight->second->comparison->basin_b, insight->starts).arrived);
   REQUIRE(insight->second->selected);
   CHECK(insight->second->selected->end == learning::RolloutEnd::kArrives);
   REQUIRE(insight->second->parts_at);
@@ -87,7 +98,55 @@ TEST_CASE("the insight lists every start, brings out the selected one, says why 
   request.rollouts.selected.reset();
   const auto again = maker.make(request);
   CHECK(again->listed == insight->listed);
+  CHECK(again->second->listed == insight->second->listed);
   CHECK_FALSE(again->selected);
+}
+
+TEST_CASE("played by steps all rollouts have taken as many, by length all are at the same share of their ways") {
+  const auto entry = entry_of(learning::Method::kExact);
+  const auto policy = learning::greedy_policy(*entry->model);
+  const auto all = sample_rollouts(*entry->model, policy, learning::starts_around(*entry->model, 3), 300);
+  const auto shorter = [](const auto& a, const auto& b) { return a.cells.size() < b.cells.size(); };
+  const learning::Rollout& brief = *std::min_element(all.begin(), all.end(), shorter);
+  const learning::Rollout& wide = *std::max_element(all.begin(), all.end(), shorter);
+  const auto steps = [](const learning::Rollout& one) { return static_cast<double>(one.cells.size() - 1); };
+  REQUIRE(steps(brief) + 2.0 < steps(wide));
+  RolloutSettings settings;
+  CHECK(steps_taken(wide, settings) == steps(wide));
+  settings.reach = steps(brief) + 1.5;
+  CHECK(steps_taken(brief, settings) == steps(brief));
+  CHECK(steps_taken(wide, settings) == *settings.reach);
+  settings.pace = GhostPace::kLength;
+  settings.reach = 0.5;
+  CHECK(steps_taken(brief, settings) == 0.5 * steps(brief));
+  CHECK(steps_taken(wide, settings) == 0.5 * steps(wide));
+}
+
+TEST_CASE("what is played is drawn as far as it has come, each rollout with its head, and whole again afterwards") {
+  InsightRequest request;
+  request.entry = entry_of(learning::Method::kExact);
+  request.rollouts.ghost_count = 20;
+  PathsRequest paths;
+  paths.rollouts = InsightMaker().make(request);
+  REQUIRE(paths.rollouts->ghosts.size() == 20);
+  PathMaker maker;
+  const auto whole = maker.make(paths);
+  REQUIRE(whole->size() == 20);
+  paths.how.reach = 2.0;
+  const auto played = maker.make(paths);
+  REQUIRE(played->size() == 40);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const stage::PathLayer& head = (*played)[2 * i];
+    const stage::PathLayer& way = (*played)[2 * i + 1];
+    const learning::Rollout& rollout = paths.rollouts->ghosts[i];
+    REQUIRE(rollout.cells.size() > 3);
+    REQUIRE(way.points.size() == 3);
+    CHECK(head.radius_m > way.radius_m);
+    CHECK((0.5 * (head.points.front() + head.points.back()) - way.points.back()).norm() < 1e-12);
+    CHECK(way.points.back() == request.entry->model->grid.centre(rollout.cells[2]));
+  }
+  paths.how.reach.reset();
+  CHECK(maker.make(paths) == whole);
 }
 
 TEST_CASE("a start of another lattice is not selected, and starts that cannot be read are none with a reason") {

@@ -1,0 +1,214 @@
+// What the Rollouts panel draws of many rollouts: their play, axes to brush on, arrivals by step, boxes of deviations.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/support/ui_desk.h"
+#include "ui/panels/rollout_brush.h"
+
+namespace trocar::ui {
+namespace {
+
+using learning::RolloutMeasure;
+using workbench::GhostPace;
+using workbench::SetRollouts;
+
+/// As the window is: what is asked for of rollouts is so in the next frame.
+struct PlayedDesk : Desk {
+  explicit PlayedDesk(const std::string& page, workbench::WorkbenchState of = testing::made_state_with_model())
+      : Desk(std::move(of)) {
+    click("Menu/Workspaces/Rollouts");
+    click("Rollouts/Page/" + page);
+    commands.clear();
+  }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) {
+      CHECK(driver().frames(1));
+      if (const auto* asked = last<SetRollouts>()) state.rollouts = asked->settings;
+    }
+  }
+  void click(const std::string& path) {
+    CHECK(text_of(driver().click(path)) == "");
+    frames(2);
+  }
+  std::string value(const std::string& path) {
+    const Result<Item> item = driver().item(path);
+    return item ? item->value : item.error().text();
+  }
+  bool present(const std::string& path) { return static_cast<bool>(driver().expect_present(path, true)); }
+  const std::vector<learning::Rollout>& listed() const { return *state.insight->listed; }
+  std::string name(const learning::Rollout& one) const {
+    const auto c = state.insight->entry->model->grid.coordinates(one.start);
+    return std::to_string(c.x) + ", " + std::to_string(c.y) + ", " + std::to_string(c.z);
+  }
+};
+
+/// Beside a model of the paper's method, which loops from many starts.
+workbench::WorkbenchState beside_the_paper() {
+  workbench::WorkbenchState state = testing::made_state_with_model();
+  auto paper = std::make_shared<workbench::ModelEntry>(*state.insight->entry);
+  learning::TrainOptions options;
+  options.method = learning::Method::kEgMaxent;
+  options.episodes = 2000;
+  Progress progress;
+  paper->model = std::make_shared<const learning::Model>(
+      learning::train(spatial::Grid{}, {testing::sample_demonstrations().front()}, options, progress).value());
+  paper->name = "Paper";
+  paper->id = {7};
+  workbench::InsightRequest request;
+  request.entry = state.insight->entry;
+  request.second = paper;
+  request.rollouts = state.rollouts;
+  state.insight = workbench::InsightMaker().make(request);
+  return state;
+}
+
+}  // namespace
+
+TEST_CASE("rollouts never play by themselves; played, they come further, stop at a click, and end whole") {
+  PlayedDesk desk("Paths");
+  desk.frames(30);
+  CHECK(desk.last<SetRollouts>() == nullptr);
+  desk.click("Rollouts/Play/Play");
+  desk.frames(20);
+  REQUIRE(desk.state.rollouts.reach);
+  const double early = *desk.state.rollouts.reach;
+  CHECK(early > 0.0);
+  desk.frames(20);
+  REQUIRE(desk.state.rollouts.reach);
+  CHECK(*desk.state.rollouts.reach > early);
+  desk.click("Rollouts/Play/Pause");
+  const double paused = *desk.state.rollouts.reach;
+  desk.frames(20);
+  CHECK(*desk.state.rollouts.reach == paused);
+  desk.click("Rollouts/Play/Play");
+  CHECK(*desk.state.rollouts.reach >= paused);
+  for (int i = 0; i < 100 && desk.state.rollouts.reach; ++i) desk.frames(20);
+  CHECK_FALSE(desk.state.rollouts.reach);
+  CHECK(desk.present("Rollouts/Play/Play"));
+}
+
+TEST_CASE("the small pictures say at which step each rollout is, and another pace keeps the place") {
+  PlayedDesk desk("Paths");
+  const learning::Rollout& first = desk.listed()[learning::sorted_by(desk.listed(), RolloutMeasure::kMaxDeviation, true,
+                                                                     desk.state.insight->entry->model->grid, {})[0]];
+  const std::string picture = "Rollouts/Small multiples/" + desk.name(first) + "/Rollout";
+  CHECK(desk.value(picture).find("step") == std::string::npos);
+  desk.state.rollouts.reach = 2.5;
+  desk.frames(2);
+  CHECK(desk.value(picture).ends_with("step 2 of " + std::to_string(first.cells.size() - 1)));
+  CHECK(desk.value("Rollouts/Play/Reached").find("step 2") != std::string::npos);
+  desk.click("Rollouts/Play/Pace/By length");
+  CHECK(desk.state.rollouts.pace == GhostPace::kLength);
+  std::size_t longest = 0;
+  for (const auto& one : desk.listed()) longest = std::max(longest, one.cells.size() - 1);
+  CHECK(*desk.state.rollouts.reach == doctest::Approx(2.5 / static_cast<double>(longest)));
+}
+
+TEST_CASE("ranges keep what lies in all of them, unknown values in none, and let go bring all back") {
+  auto state = testing::made_state_with_model();
+  RolloutBrush brush;
+  brush.update(*state.insight);
+  const auto& listed = *state.insight->listed;
+  CHECK(brush.kept() == listed.size());
+  const int version = brush.version();
+  brush.set(RolloutMeasure::kSteps, RolloutBrush::Range{10.0, 14.0});
+  brush.set(RolloutMeasure::kMaxDeviation, RolloutBrush::Range{0.0, 0.004});
+  CHECK(brush.version() != version);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    const std::size_t steps = listed[i].cells.size() - 1;
+    const bool inside = steps >= 10 && steps <= 14 && listed[i].max_deviation_m <= 0.004;
+    REQUIRE(brush.keeps(i) == inside);
+    kept += inside ? 1 : 0;
+  }
+  CHECK(brush.kept() == kept);
+  CHECK(kept < listed.size());
+  brush.clear();
+  CHECK(brush.kept() == listed.size());
+  auto blind = *state.insight;
+  blind.clearance_m = nullptr;
+  blind.listed = std::make_shared<const std::vector<learning::Rollout>>(listed);
+  brush.set(RolloutMeasure::kClearance, RolloutBrush::Range{-1.0, 1.0});
+  CHECK(brush.kept() == listed.size());
+  brush.update(blind);
+  CHECK(brush.kept() == 0);
+}
+
+TEST_CASE("a drag along an axis brushes table and pictures, a click on it or Show all lets go") {
+  PlayedDesk desk("Table");
+  const auto shown_rows = [&desk]() {
+    int rows = 0;
+    for (const auto& one : desk.listed()) rows += desk.present("Rollouts/Table/" + desk.name(one)) ? 1 : 0;
+    return rows;
+  };
+  std::size_t least = 1000;
+  std::size_t most = 0;
+  for (const auto& one : desk.listed()) {
+    least = std::min(least, one.cells.size() - 1);
+    most = std::max(most, one.cells.size() - 1);
+  }
+  CHECK(desk.value("Rollouts/Measures/Steps") == std::to_string(least) + " to " + std::to_string(most));
+  CHECK_FALSE(desk.present("Rollouts/Measures/Brushed"));
+  const int before = shown_rows();
+  // From its middle up beyond its end.
+  CHECK(text_of(desk.driver().drag("Rollouts/Measures/Steps", 0, -400)) == "");
+  desk.frames(2);
+  CHECK(desk.value("Rollouts/Measures/Steps").ends_with(" to " + std::to_string(most)));
+  CHECK(desk.value("Rollouts/Measures/Steps").find("brushed") != std::string::npos);
+  const std::string brushed = desk.value("Rollouts/Measures/Brushed");
+  const int kept = std::stoi(brushed);
+  CHECK(brushed == std::to_string(kept) + " of 40 brushed");
+  CHECK(kept > 0);
+  CHECK(kept < 40);
+  CHECK(shown_rows() <= std::min(before, kept));
+  for (const auto& one : desk.listed()) {
+    if (one.cells.size() - 1 == least) CHECK_FALSE(desk.present("Rollouts/Table/" + desk.name(one)));
+  }
+  desk.click("Rollouts/Page/Paths");
+  CHECK(desk.value("Rollouts/Small multiples/Brushed") == brushed);
+  for (const auto& one : desk.listed()) {
+    if (one.cells.size() - 1 == least)
+      CHECK_FALSE(desk.present("Rollouts/Small multiples/" + desk.name(one) + "/Rollout"));
+  }
+  desk.click("Rollouts/Small multiples/Show all");
+  CHECK_FALSE(desk.present("Rollouts/Small multiples/Brushed"));
+  desk.click("Rollouts/Page/Table");
+  CHECK(text_of(desk.driver().drag("Rollouts/Measures/Worst", 0, 40)) == "");
+  desk.frames(2);
+  CHECK(desk.present("Rollouts/Measures/Brushed"));
+  desk.click("Rollouts/Measures/Worst");
+  CHECK_FALSE(desk.present("Rollouts/Measures/Brushed"));
+}
+
+TEST_CASE("arrivals end at the share that arrives at all, of both models if there are two") {
+  PlayedDesk desk("Outcomes");
+  const std::string alone = desk.value("Rollouts/Arrivals/Curve");
+  CHECK(alone.starts_with("within "));
+  CHECK(alone.ends_with(" steps: 100 % (294)"));
+  desk.state = beside_the_paper();
+  desk.frames(3);
+  const auto& insight = *desk.state.insight;
+  const int b = learning::summarise(insight.second->comparison->basin_b, insight.starts).arrived;
+  REQUIRE(b < 294);
+  const std::string both = desk.value("Rollouts/Arrivals/Curve");
+  CHECK(both.find("A 100 % (294), B ") != std::string::npos);
+  CHECK(both.ends_with("(" + std::to_string(b) + ")"));
+}
+
+TEST_CASE("each end has its box of worst deviations, told apart by model, with the spread of its rollouts") {
+  PlayedDesk desk("Outcomes");
+  const auto spread = learning::worst_deviations_m(desk.listed(), learning::RolloutEnd::kArrives);
+  CHECK(desk.value("Rollouts/Worst deviation/Arrives").starts_with(std::to_string(spread.count) + ": "));
+  CHECK_FALSE(desk.present("Rollouts/Worst deviation/Loops"));
+  desk.state = beside_the_paper();
+  desk.frames(3);
+  CHECK(desk.present("Rollouts/Worst deviation/A arrives"));
+  CHECK_FALSE(desk.present("Rollouts/Worst deviation/A loops"));
+  const auto loops = learning::worst_deviations_m(*desk.state.insight->second->listed, learning::RolloutEnd::kLoops);
+  REQUIRE(loops.count > 0);
+  CHECK(desk.value("Rollouts/Worst deviation/B loops").starts_with(std::to_string(loops.count) + ": "));
+}
+
+}  // namespace trocar::ui
