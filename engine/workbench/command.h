@@ -283,6 +283,9 @@ struct ExportField {
   std::string slice;  ///< "z=11"; empty: montage.
   FieldFileLook look;
   std::filesystem::path path;
+  learning::FieldMask mask = learning::FieldMask::kNone;
+  ModelId against;  ///< None: the field itself; else what this model (B) changes, and which of it.
+  FieldContrast contrast = FieldContrast::kDifference;
 };
 /// Makes a model of a table that another program learned.
 struct ImportTable {

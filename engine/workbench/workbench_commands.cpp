@@ -198,8 +198,19 @@ void Workbench::Impl::on(const ExportField& command) {
   if (!is_output(command.path)) return;
   const auto entry = model(command.model);
   if (!entry) return log(Severity::kError, fmt::format("there is no model {}", command.model.value));
-  const auto work =
-      [request = FieldExport{entry, command.layer, command.slice, command.look, command.path}](Progress&) -> Result<JobResult> {
+  FieldExport wanted;
+  wanted.model = entry;
+  wanted.layer = command.layer;
+  wanted.mask = command.mask;
+  if (command.against != ModelId{}) {
+    wanted.against = model(command.against);
+    if (!wanted.against) return log(Severity::kError, fmt::format("there is no model {}", command.against.value));
+  }
+  wanted.contrast = command.contrast;
+  wanted.slice = command.slice;
+  wanted.look = command.look;
+  wanted.path = command.path;
+  const auto work = [request = std::move(wanted)](Progress&) -> Result<JobResult> {
     TROCAR_RETURN_IF_ERROR(export_field(request));
     return JobResult{"written", {}};
   };
