@@ -11,7 +11,7 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 74> kEquivalents{{
+constexpr std::array<Equivalent, 75> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
     {"file.import", "trocar demo import P FILE"},
@@ -72,6 +72,7 @@ constexpr std::array<Equivalent, 74> kEquivalents{{
     {"demo.problems", "trocar demo check P DEMO"},
     {"demo.fix_all", "trocar demo check P DEMO --fix all"},
     {"demo.simulate", "trocar demo check P DEMO --simulate"},
+    {"model.import", "trocar model import P FILE --kind q|theta --demo DEMO"},
     {"model.train", "trocar model train P DEMO --segment A --method eg-maxent"},
     {"model.compare", "trocar model compare P MODEL_A MODEL_B"},
     {"tool.move", "trocar demo edit P DEMO move --at S"},

@@ -203,7 +203,7 @@ constexpr std::array<RowData, 2> kUndoRows{{
      redo},
 }};
 
-constexpr std::array<RowData, 11> kEditRows{{
+constexpr std::array<RowData, 12> kEditRows{{
     {"edit.trim_in",
      "Edit",
      "Trim in at playhead",
@@ -285,6 +285,15 @@ constexpr std::array<RowData, 11> kEditRows{{
      false,
      no_demonstration,
      verify},
+    {"model.import",
+     "Edit",
+     "Import Q-table…",
+     "Make a model of a Q-table or of rewards θ that were learned elsewhere",
+     icon::kPlus,
+     {},
+     false,
+     cannot_train,
+     act<UiAction::kShowImportTable>},
     {"model.train",
      "Edit",
      "Train…",

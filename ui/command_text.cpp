@@ -7,6 +7,7 @@
 
 #include "engine/demonstration/edit_words.h"
 #include "engine/workbench/importing.h"
+#include "engine/workbench/jobs/field_job.h"
 
 namespace trocar::ui {
 namespace {
@@ -167,8 +168,28 @@ std::string rollout_rows_text(const ExportRollouts& command, const WorkbenchStat
 
 std::string field_text(const ExportField& command, const std::string& project) {
   const std::string what = command.slice.empty() ? "--montage" : "--slice " + command.slice;
-  return fmt::format("trocar field export {} {} --layer {} {} --out {}", project, command.model.value,
-                     learning::to_string(command.layer), what, shell_word(command.path.string()));
+  std::string look;
+  if (command.look.scale) look += fmt::format(" --scale {}", plot::to_string(*command.look.scale));
+  if (command.look.map) look += fmt::format(" --map {}", plot::to_string(*command.look.map));
+  if (command.look.vision != plot::ColourVision::kFull) {
+    look += fmt::format(" --vision {}", plot::to_string(command.look.vision));
+  }
+  if (!command.look.preset.empty()) look += " --preset " + command.look.preset;
+  if (command.look.dpi) look += fmt::format(" --dpi {:g}", *command.look.dpi);
+  // A file of numbers holds them all without being told so.
+  const std::string which = command.slice.empty() && !workbench::is_drawn(command.path) ? "" : " " + what;
+  return fmt::format("trocar field export {} {} --layer {}{}{} --out {}", project, command.model.value,
+                     learning::to_string(command.layer), which, look, shell_word(command.path.string()));
+}
+
+std::string table_text(const ImportTable& command, const std::string& project) {
+  std::string text = fmt::format("trocar model import {} {} --kind {}", project, shell_word(command.path.string()),
+                                 learning::to_string(command.kind));
+  for (const workbench::DemonstrationId id : command.demonstrations) text += fmt::format(" --demo {}", id.value);
+  text += fmt::format(" --segment {} --grid {}", demonstration::letter(command.segment), command.grid);
+  const ImportTable usual;
+  if (command.safe_radius != usual.safe_radius) text += fmt::format(" --safe-radius {}", command.safe_radius);
+  return command.name.empty() ? text : text + " --name " + shell_word(command.name);
 }
 
 /// JSON without its line breaks and what they are followed by: neither occurs within its strings.
@@ -370,6 +391,7 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
                        to_words(compare->settings.against), demonstration::to_string(compare->settings.alignment));
   }
   if (const auto* figure = std::get_if<ExportField>(&command)) return field_text(*figure, project);
+  if (const auto* table = std::get_if<ImportTable>(&command)) return table_text(*table, project);
   if (const auto* field = std::get_if<SetField>(&command)) return view_text(field->settings, state, project);
   if (const auto* learning = std::get_if<workbench::SetLearning>(&command)) {
     return learning_text(learning->settings, state, project);

@@ -23,6 +23,7 @@ enum class UiAction {
   kShowExportDemonstrations,
   kShowExportVideo,
   kShowExportField,
+  kShowImportTable,
   kShowPalette,
   kShowShortcuts,
   kShowAbout,

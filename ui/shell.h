@@ -19,6 +19,7 @@
 #include "ui/forms/layouts_form.h"
 #include "ui/forms/quit_form.h"
 #include "ui/forms/record_form.h"
+#include "ui/forms/table_form.h"
 #include "ui/palette.h"
 #include "ui/panel.h"
 #include "ui/settings.h"
@@ -76,6 +77,7 @@ class Shell {
   DemonstrationsForm demonstrations_;
   VideoForm video_;
   FieldForm field_;
+  TableForm table_;
   ShortcutForm shortcuts_;
   PageForm page_;
   KeysForm keys_{settings_};

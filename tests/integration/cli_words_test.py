@@ -35,7 +35,7 @@ class Hints(CommandLineTest):
         self.refused("demo", "show", "p.trocar", "Expert", "1", code=USAGE, saying='quote the name: "Expert 1"')
 
     def test_help_of_what_does_not_exist_is_an_error(self):
-        self.refused("export", "--help", code=USAGE, saying="export is no command; did you mean demo export or field export?")
+        self.refused("export", "--help", code=USAGE, saying="export is no command; did you mean demo export, model export or field export?")
         self.refused("demo", "nosuch", "--help", code=USAGE, saying="nosuch is no command")
 
     def test_help_shows_arguments_in_the_order_in_which_they_are_typed(self):

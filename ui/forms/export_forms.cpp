@@ -13,6 +13,11 @@
 namespace trocar::ui {
 namespace {
 
+/// The kinds of file of a field: first what is drawn, last what has no slices.
+constexpr std::array<std::string_view, 7> kFieldEndings{".png", ".svg", ".pdf", ".csv", ".npy", ".vti", ".h5"};
+constexpr int kDrawnEndings = 3;
+constexpr int kWholeEndings = 5;
+
 std::string beside(const WorkbenchState& state, std::string_view ending) {
   std::filesystem::path path = state.path;
   path.replace_extension();
@@ -118,26 +123,73 @@ void FieldForm::prepare(const WorkbenchState& state) {
   slice_ = "z=11";
 }
 
+int FieldForm::kind_of_file() const {
+  const std::string ending = std::filesystem::path(path_).extension().string();
+  const auto found = std::find(kFieldEndings.begin(), kFieldEndings.end(), ending);
+  return found == kFieldEndings.end() ? -1 : static_cast<int>(found - kFieldEndings.begin());
+}
+
+void FieldForm::draw_paper(Ui& ui, int file) {
+  static const std::vector<std::string> kPapers{"Screen", "88 mm", "180 mm"};
+  const bool drawn = file >= 0 && file < kDrawnEndings;
+  const std::string numbers = drawn ? "" : "This file holds numbers";
+  form_label(ui, "Width");
+  segmented(ui, "Width", paper_, kPapers,
+            {.help = "One column of a page, or the whole page, with letters of 8 pt", .reason = numbers});
+  const std::string no_pixels = !drawn        ? numbers
+                                : file != 0   ? "A drawing has no pixels"
+                                : paper_ == 0 ? "Choose a width on paper first"
+                                              : "";
+  form_label(ui, "Pixels an inch");
+  number_field(ui, "Pixels an inch", dpi_, 72, 2400, {.help = "From 72 to 2400", .reason = no_pixels});
+}
+
+workbench::ExportField FieldForm::wanted(const WorkbenchState& state) const {
+  constexpr std::array<const char*, 3> kPresets{"", "column", "page"};
+  workbench::ExportField field;
+  field.model = state.model;
+  field.layer = state.field.layer;
+  field.path = path_;
+  const int file = kind_of_file();
+  if (kind_ == 1 && file < kWholeEndings) field.slice = slice_;
+  if (file < 0 || file >= kDrawnEndings) return field;
+  field.look.scale = state.field.scale;
+  field.look.map = state.field.map;
+  field.look.vision = state.field.vision;
+  field.look.preset = kPresets[static_cast<std::size_t>(paper_)];
+  if (file == 0 && paper_ > 0) field.look.dpi = static_cast<double>(dpi_);
+  return field;
+}
+
 Requests FieldForm::draw_content(Ui& ui, const WorkbenchState& state) {
   static const std::vector<std::string> kKinds{"All slices", "One slice"};
+  static const std::vector<std::string> kFiles{"PNG", "SVG", "PDF", "CSV", "NPY", "VTI", "HDF5"};
+  int file = kind_of_file();
   form_label(ui, "Layer");
   ImGui::AlignTextToFramePadding();
   text(ui, learning::to_string(state.field.layer));
+  form_label(ui, "Kind of file");
+  if (segmented(ui, "Kind of file", file, kFiles,
+                {.help = "Drawn in the colours of the window; or its numbers: as a table, for NumPy, VTK or HDF5"})) {
+    const auto chosen = static_cast<std::size_t>(file);
+    path_ = std::filesystem::path(path_).replace_extension(kFieldEndings[chosen]).string();
+  }
+  const std::string whole = file >= kWholeEndings ? "This file holds the whole lattice" : "";
   form_label(ui, "What");
-  segmented(ui, "What", kind_, kKinds, {});
+  segmented(ui, "What", kind_, kKinds, {.reason = whole});
   form_label(ui, "Slice");
-  text_field(
-      ui, "Slice", slice_, "z=11",
-      {.help = "x=, y= or z= and the index of the cells", .reason = kind_ == 0 ? "All slices along z are drawn" : ""});
+  const std::string no_slice = !whole.empty() ? whole : kind_ == 0 ? "All slices along z are drawn" : "";
+  text_field(ui, "Slice", slice_, "z=11", {.help = "x=, y= or z= and the index of the cells", .reason = no_slice});
+  draw_paper(ui, file);
   form_label(ui, "File");
-  text_field(ui, "File", path_, "field.png", {.help = ".png or .svg draws; .csv or .npy holds the numbers"});
+  text_field(ui, "File", path_, "field.png", {.help = "Its ending says what kind it is"});
   ImGui::Dummy({0.0F, ui.px(6)});
-  const std::string reason = path_.empty() ? "Type a file name" : command("file.export_field").reason_now(state);
+  const std::string reason = path_.empty() ? "Type a file name"
+                             : file < 0    ? "Choose a kind of file"
+                                           : command("file.export_field").reason_now(state);
   if (!export_button(ui, icon::kDownload, path_, reason)) return {};
   close();
-  return {workbench::Command{
-              workbench::ExportField{state.model, state.field.layer, kind_ == 0 ? std::string() : slice_, path_}},
-          ShowPanel{PanelId::kJobs}};
+  return {workbench::Command{wanted(state)}, ShowPanel{PanelId::kJobs}};
 }
 
 }  // namespace trocar::ui

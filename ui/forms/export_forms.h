@@ -1,6 +1,7 @@
 /// Ask where a film or a figure shall be written, and how large.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -34,14 +35,21 @@ class VideoForm final : public Form {
 class FieldForm final : public Form {
  protected:
   std::string_view title() const override { return "Export field"; }
-  float width() const override { return 460.0F; }
+  float width() const override { return 500.0F; }
   void prepare(const WorkbenchState& state) override;
   Requests draw_content(Ui& ui, const WorkbenchState& state) override;
 
  private:
+  /// Where in the list of kinds of file, as the path says; −1: none of them.
+  int kind_of_file() const;
+  void draw_paper(Ui& ui, int file);
+  workbench::ExportField wanted(const WorkbenchState& state) const;
+
   std::string path_;
   std::string slice_;
   int kind_ = 0;
+  int paper_ = 0;  ///< 0: for a screen; else a preset.
+  std::int64_t dpi_ = 300;
 };
 
 }  // namespace trocar::ui

@@ -26,8 +26,9 @@ bool has_field(const WorkbenchState& state) {
 
 void draw_nothing(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const std::string reason = command("model.train").reason_now(state);
-  const std::array<EmptyStateAction, 1> actions{
-      {{"Train a model…", icon::kTrain, reason, "Learn from demonstrations"}}};
+  const std::array<EmptyStateAction, 2> actions{
+      {{"Train a model…", icon::kTrain, reason, "Learn from demonstrations"},
+       {"Import Q-table…", icon::kPlus, reason, "Take in what another program learned"}}};
   const bool waiting = selected_model(state) != nullptr;
   if (waiting) ui.animate();
   const int chosen =
@@ -35,6 +36,7 @@ void draw_nothing(Ui& ui, const WorkbenchState& state, Requests& requests) {
                   waiting ? "This takes a moment" : "Reward, value and policy of a model are shown here, cell by cell",
                   waiting ? std::span<const EmptyStateAction>{} : std::span<const EmptyStateAction>{actions});
   if (chosen == 0) requests.emplace_back(ShowPanel{PanelId::kTrain});
+  if (chosen == 1) requests.emplace_back(UiAction::kShowImportTable);
 }
 
 }  // namespace

@@ -244,7 +244,7 @@ void draw_model_card(Ui& ui, const ModelEntry& entry, bool stale, const std::str
   }
   std::string words(learning::to_string(entry.model->options.method));
   const std::string trained = words + "  " + elapsed(entry.model->seconds) + " to train";
-  {
+  if (entry.model->options.method != learning::Method::kImported) {
     const FontScope font(ui.fonts().small);
     if (ImGui::CalcTextSize(trained.c_str()).x <= ImGui::GetContentRegionAvail().x) words = trained;
   }

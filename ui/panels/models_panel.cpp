@@ -153,11 +153,13 @@ Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (draw_no_project(ui, state, requests)) return requests;
   if (state.project->models.empty() || !state.insight || state.insight->entry == nullptr) {
     const std::string reason = command("model.train").reason_now(state);
-    const std::array<EmptyStateAction, 1> actions{
-        {{"Train a model…", icon::kTrain, reason, "Learn from demonstrations"}}};
-    if (empty_state(ui, icon::kThLarge, "No models to compare", "Train two, as with ε = 0 and ε = 0.1", actions) == 0) {
-      requests.emplace_back(ShowPanel{PanelId::kTrain});
-    }
+    const std::array<EmptyStateAction, 2> actions{
+        {{"Train a model…", icon::kTrain, reason, "Learn from demonstrations"},
+         {"Import Q-table…", icon::kPlus, reason, "Take in what another program learned"}}};
+    const int chosen =
+        empty_state(ui, icon::kThLarge, "No models to compare", "Train two, as with ε = 0 and ε = 0.1", actions);
+    if (chosen == 0) requests.emplace_back(ShowPanel{PanelId::kTrain});
+    if (chosen == 1) requests.emplace_back(UiAction::kShowImportTable);
     return requests;
   }
   draw_choice(ui, state, requests);

@@ -1,5 +1,9 @@
 #include <doctest/doctest.h>
+#include <unistd.h>
 
+#include <filesystem>
+
+#include "engine/core/file.h"
 #include "tests/support/ui_desk.h"
 #include "ui/command_text.h"
 
@@ -29,6 +33,75 @@ TEST_CASE("speed, camera, codec and captions of a film are asked for, and writte
   CHECK_FALSE(video->captions);
   const std::string words = command_text(*video, desk.state);
   CHECK(words.find("--speed 4 --camera side --codec ffv1 --no-captions") != std::string::npos);
+}
+
+TEST_CASE("a field is asked for on paper, in the colours of the window, and written as a command line") {
+  Desk desk(testing::made_state_with_model());
+  desk.state.field.scale = plot::ScaleKind::kSymlog;
+  desk.state.field.map = plot::ColourMap::kMagma;
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+Shift+E"));
+  CHECK(text_of(driver.expect_enabled("Export field/Pixels an inch", false)) == "");  // a screen has its own
+  CHECK(text_of(driver.click("Export field/Width/88 mm")) == "");
+  CHECK(text_of(driver.expect_enabled("Export field/Pixels an inch", true)) == "");
+  CHECK(text_of(driver.click("Export field/Export")) == "");
+  const auto* field = desk.last<workbench::ExportField>();
+  REQUIRE(field != nullptr);
+  CHECK(field->look.preset == "column");
+  CHECK(field->look.dpi == 300.0);
+  CHECK(field->path.extension() == ".png");
+  const std::string words = command_text(*field, desk.state);
+  CHECK(words.find("--montage --scale symlog --map magma --preset column --dpi 300 --out ") != std::string::npos);
+
+  CHECK(driver.key("Ctrl+Shift+E"));
+  CHECK(text_of(driver.click("Export field/Kind of file/PDF")) == "");
+  CHECK(text_of(driver.expect_enabled("Export field/Pixels an inch", false)) == "");
+  CHECK(text_of(driver.click("Export field/Export")) == "");
+  field = desk.last<workbench::ExportField>();
+  CHECK(field->path.extension() == ".pdf");
+  CHECK(field->look.preset == "column");
+  CHECK_FALSE(field->look.dpi);
+}
+
+TEST_CASE("a file of a field's numbers has neither paper nor colours, and one of the whole lattice no slice") {
+  Desk desk(testing::made_state_with_model());
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+Shift+E"));
+  CHECK(text_of(driver.click("Export field/What/One slice")) == "");
+  CHECK(text_of(driver.expect_enabled("Export field/Slice", true)) == "");
+  CHECK(text_of(driver.click("Export field/Kind of file/VTI")) == "");
+  CHECK(text_of(driver.expect_enabled("Export field/Slice", false)) == "");
+  CHECK(text_of(driver.expect_enabled("Export field/Width/88 mm", false)) == "");
+  CHECK(text_of(driver.click("Export field/Export")) == "");
+  const auto* field = desk.last<workbench::ExportField>();
+  REQUIRE(field != nullptr);
+  CHECK(field->path.extension() == ".vti");
+  CHECK(field->slice.empty());
+  CHECK(field->look == workbench::FieldFileLook{});
+  CHECK(command_text(*field, desk.state).find(" --layer reward --out ") != std::string::npos);
+}
+
+TEST_CASE("a Q-table is imported from an empty panel, and written as a command line") {
+  const std::filesystem::path table =
+      std::filesystem::temp_directory_path() / ("trocar_form_" + std::to_string(::getpid()) + ".npy");
+  REQUIRE(write_file(table, "any"));  // what it holds is read by the job
+  Desk desk(testing::made_state());
+  Driver driver = desk.driver();
+  CHECK(text_of(driver.click("Tabs/Fields")) == "");
+  CHECK(text_of(driver.click("Fields/Import Q-table…")) == "");
+  CHECK(text_of(driver.expect_enabled("Import Q-table/Import", false)) == "");
+  CHECK(text_of(driver.type("Import Q-table/File", table.string())) == "");
+  CHECK(text_of(driver.click("Import Q-table/What/Reward θ")) == "");
+  CHECK(text_of(driver.click("Import Q-table/Import")) == "");
+  const auto* asked = desk.last<workbench::ImportTable>();
+  REQUIRE(asked != nullptr);
+  CHECK(asked->path == table);
+  CHECK(asked->kind == learning::TableKind::kTheta);
+  CHECK_FALSE(asked->demonstrations.empty());
+  const std::string words = command_text(*asked, desk.state);
+  CHECK(words.find("trocar model import ") == 0);
+  CHECK(words.find(" --kind theta --demo 1") != std::string::npos);
+  std::filesystem::remove(table);
 }
 
 TEST_CASE("the field's button is lit only while something is drawn, and draws the slice through the goal") {
