@@ -135,7 +135,9 @@ TEST_CASE("a film or a field is never written over the open project") {
   const std::uint64_t hash = bench.state().project->hash();
   for (const std::filesystem::path& path : {project, bench.folder / "link.mp4"}) {
     bench.run(ExportVideo{{bench.state().demonstration}, path});
-    bench.run(ExportField{{}, learning::Layer::kReward, "", {}, path});
+    ExportField field;
+    field.path = path;
+    bench.run(field);
   }
   CHECK(bench.state().jobs.empty());
   CHECK(bench.logged(Severity::kError));
