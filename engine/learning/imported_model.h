@@ -23,7 +23,8 @@ Result<Model> imported_model(const spatial::Grid& grid, const std::vector<CellSe
                              TableKind kind, const std::vector<double>& table);
 
 /// The table that `imported_model` takes. Q: of every move that the policy may choose or the agent tried, NaN of all
-/// others; so an imported Q has the same policy. θ: of every cell that the agent knows.
+/// others, and with `eg-maxent` outside of the safe set; so an imported Q has the same policy. θ: of every cell that
+/// the agent knows.
 std::vector<double> table_of(const Model& model, TableKind kind);
 
 }  // namespace trocar::learning

@@ -21,7 +21,8 @@ Field policy_change(const spatial::Grid& grid, const std::vector<std::uint8_t>& 
 /// Classes of each start: both arrive, only A, only B, neither.
 Field paired_outcomes(const spatial::Grid& grid, const Basin& a, const Basin& b);
 
-/// Of one model, for the table beside the fields. `exact` explores nothing: its counts of actions say little.
+/// Of one model, for the table beside the fields. `exact` explores nothing: its counts of actions say little. Rewards,
+/// margin and mismatch are NaN where the model has none (imported).
 struct ModelMeasures {
   Exploration exploration;
   double least_reward = 0.0;  ///< Of the cells that are known.
