@@ -174,12 +174,20 @@ std::string field_text(const ExportField& command, const std::string& project) {
   if (command.look.vision != plot::ColourVision::kFull) {
     look += fmt::format(" --vision {}", plot::to_string(command.look.vision));
   }
+  if (command.look.limits) {
+    look += fmt::format(" --limits {} {}", (*command.look.limits)[0], (*command.look.limits)[1]);
+  }
   if (!command.look.preset.empty()) look += " --preset " + command.look.preset;
   if (command.look.dpi) look += fmt::format(" --dpi {:g}", *command.look.dpi);
   // A file of numbers holds them all without being told so.
   const std::string which = command.slice.empty() && !workbench::is_drawn(command.path) ? "" : " " + what;
-  return fmt::format("trocar field export {} {} --layer {}{}{} --out {}", project, command.model.value,
-                     learning::to_string(command.layer), which, look, shell_word(command.path.string()));
+  std::string of = fmt::format(" --layer {}", learning::to_string(command.layer));
+  if (command.mask != learning::FieldMask::kNone) of += fmt::format(" --mask {}", learning::to_string(command.mask));
+  if (command.against != ModelId{}) {
+    of += fmt::format(" --against {} --show {}", command.against.value, workbench::to_string(command.contrast));
+  }
+  return fmt::format("trocar field export {} {}{}{}{} --out {}", project, command.model.value, of, which, look,
+                     shell_word(command.path.string()));
 }
 
 std::string table_text(const ImportTable& command, const std::string& project) {

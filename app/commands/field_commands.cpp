@@ -23,6 +23,7 @@ struct ExportArguments {
   std::string scale;
   std::string map;
   std::string vision = "full";
+  std::vector<double> limits;
   int width = 1000;
   std::string preset;
   double dpi = 0.0;
@@ -51,6 +52,7 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
       verb.add_option("--scale", arguments.scale,
                       "linear, log, symlog, percentile or rank (else what suits the layer)"),
       verb.add_option("--map", arguments.map, "Colour map (else what suits the layer)"),
+      verb.add_option("--limits", arguments.limits, "Values at which the colours end (else the field's)")->expected(2),
       verb.add_option("--vision", arguments.vision,
                       "The colours as seen by full, protan, deutan, tritan or grey vision")
           ->capture_default_str(),
@@ -102,6 +104,12 @@ Result<workbench::FieldExport> request_of(const ExportArguments& arguments) {
   }
   if (!arguments.map.empty()) {
     TROCAR_ASSIGN_OR_RETURN(request.look.map, plot::colour_map_from(arguments.map));
+  }
+  if (!arguments.limits.empty()) {
+    if (!(arguments.limits[0] < arguments.limits[1])) {
+      return fail(ErrorCode::kInvalidArgument, "--limits takes the low one first, then a higher one");
+    }
+    request.look.limits = {arguments.limits[0], arguments.limits[1]};
   }
   TROCAR_ASSIGN_OR_RETURN(request.look.vision, plot::colour_vision_from(arguments.vision));
   request.look.width_px = arguments.width;

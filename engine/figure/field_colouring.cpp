@@ -102,6 +102,13 @@ plot::Colouring colouring_of(const learning::Field& field, const FieldFigureOpti
   colouring.scale = plot::fit_scale(options.scale, field.values, centred);
   colouring.vision = options.vision;
   if (field.categorical) colouring.categories = category_colours(field);
+  if (!options.limits) return colouring;
+  const auto [low, high] = *options.limits;
+  const bool across = colouring.scale.kind == plot::ScaleKind::kLog && (low <= 0.0) != (high < 0.0);
+  if (low < high && !across) {
+    colouring.scale.low = low;
+    colouring.scale.high = high;
+  }
   return colouring;
 }
 

@@ -1,6 +1,7 @@
 /// Fields over the lattice as flat figures: one slice or a montage of all, with a colour bar and its unit.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,6 +28,9 @@ struct FieldFigureOptions {
   std::optional<Slice> slice;  ///< None: a montage of all slices along z.
   plot::ColourMap map = plot::ColourMap::kViridis;
   plot::ScaleKind scale = plot::ScaleKind::kLinear;
+  /// Values at which the colours end, low < high; none: fitted to the field. What a log scale cannot have is not
+  /// heeded.
+  std::optional<std::array<double, 2>> limits;
   plot::ColourVision vision = plot::ColourVision::kFull;  ///< The colours as this reader sees them.
   int width_px = 1000;          ///< At least 320; the figure grows where letters or cells would be too small to see.
   std::optional<Print> print;   ///< For paper: in place of `width_px`; grows only where a cell has less than a pixel.

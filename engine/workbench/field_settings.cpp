@@ -9,15 +9,8 @@ plot::Colouring colouring_of(const learning::Field& field, const FieldSettings& 
   options.scale = settings.scale;
   options.vision = settings.vision;
   if (settings.map) options.map = *settings.map;
-  plot::Colouring colouring = figure::colouring_of(field, options);
-  if (!settings.limits) return colouring;
-  const auto [low, high] = *settings.limits;
-  const bool across = colouring.scale.kind == plot::ScaleKind::kLog && (low <= 0.0) != (high < 0.0);
-  if (low < high && !across) {
-    colouring.scale.low = low;
-    colouring.scale.high = high;
-  }
-  return colouring;
+  options.limits = settings.limits;
+  return figure::colouring_of(field, options);
 }
 
 plot::Colouring shared_colouring(const learning::Field& a, const learning::Field& b, const FieldSettings& settings) {

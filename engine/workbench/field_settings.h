@@ -50,8 +50,9 @@ Result<FieldContrast> field_contrast_from(std::string_view text);
 
 /// How a field is drawn in a file; what holds numbers heeds none of it.
 struct FieldFileLook {
-  std::optional<plot::ScaleKind> scale;  ///< None: what suits the layer.
-  std::optional<plot::ColourMap> map;    ///< None: what suits the layer.
+  std::optional<plot::ScaleKind> scale;         ///< None: what suits the layer.
+  std::optional<plot::ColourMap> map;           ///< None: what suits the layer.
+  std::optional<std::array<double, 2>> limits;  ///< None: fitted to what is written.
   plot::ColourVision vision = plot::ColourVision::kFull;
   int width_px = 1000;        ///< Without a preset.
   std::string preset;         ///< As `figure::print_from`; empty: for a screen.

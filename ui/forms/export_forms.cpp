@@ -129,6 +129,22 @@ int FieldForm::kind_of_file() const {
   return found == kFieldEndings.end() ? -1 : static_cast<int>(found - kFieldEndings.begin());
 }
 
+void FieldForm::draw_subject(Ui& ui, const WorkbenchState& state) {
+  const std::string layer(learning::to_string(state.field.layer));
+  const bool two = state.insight && state.insight->second;
+  std::vector<std::string> names{layer};
+  if (two) {
+    const std::string pair =
+        fmt::format("{} against {}", state.insight->second->entry->name, state.insight->entry->name);
+    names.push_back(fmt::format("Difference in {}, {}", layer, pair));
+    names.push_back("Policy change, " + pair);
+    names.push_back("Outcomes, " + pair);
+  }
+  if (subject_ >= static_cast<int>(names.size())) subject_ = 0;
+  form_label(ui, "Field");
+  combo(ui, "Field", subject_, names, {.help = "The layer in the panel Fields, or what two models differ in"});
+}
+
 void FieldForm::draw_paper(Ui& ui, int file) {
   static const std::vector<std::string> kPapers{"Screen", "88 mm", "180 mm"};
   const bool drawn = file >= 0 && file < kDrawnEndings;
@@ -149,12 +165,21 @@ workbench::ExportField FieldForm::wanted(const WorkbenchState& state) const {
   workbench::ExportField field;
   field.model = state.model;
   field.layer = state.field.layer;
+  field.mask = state.field.mask;
   field.path = path_;
+  if (subject_ > 0) {
+    field.against = state.learning.second;
+    field.contrast = static_cast<workbench::FieldContrast>(subject_ - 1);
+  }
   const int file = kind_of_file();
   if (kind_ == 1 && file < kWholeEndings) field.slice = slice_;
   if (file < 0 || file >= kDrawnEndings) return field;
-  field.look.scale = state.field.scale;
-  field.look.map = state.field.map;
+  // Limits and map are of the layer: a contrast has its own.
+  if (subject_ == 0) {
+    field.look.scale = state.field.scale;
+    field.look.map = state.field.map;
+    field.look.limits = state.field.limits;
+  }
   field.look.vision = state.field.vision;
   field.look.preset = kPresets[static_cast<std::size_t>(paper_)];
   if (file == 0 && paper_ > 0) field.look.dpi = static_cast<double>(dpi_);
@@ -165,9 +190,7 @@ Requests FieldForm::draw_content(Ui& ui, const WorkbenchState& state) {
   static const std::vector<std::string> kKinds{"All slices", "One slice"};
   static const std::vector<std::string> kFiles{"PNG", "SVG", "PDF", "CSV", "NPY", "VTI", "HDF5"};
   int file = kind_of_file();
-  form_label(ui, "Layer");
-  ImGui::AlignTextToFramePadding();
-  text(ui, learning::to_string(state.field.layer));
+  draw_subject(ui, state);
   form_label(ui, "Kind of file");
   if (segmented(ui, "Kind of file", file, kFiles,
                 {.help = "Drawn in the colours of the window; or its numbers: as a table, for NumPy, VTK or HDF5"})) {

@@ -42,13 +42,15 @@ class FieldForm final : public Form {
  private:
   /// Where in the list of kinds of file, as the path says; −1: none of them.
   int kind_of_file() const;
+  void draw_subject(Ui& ui, const WorkbenchState& state);
   void draw_paper(Ui& ui, int file);
   workbench::ExportField wanted(const WorkbenchState& state) const;
 
   std::string path_;
   std::string slice_;
   int kind_ = 0;
-  int paper_ = 0;  ///< 0: for a screen; else a preset.
+  int subject_ = 0;  ///< 0: the field; else a contrast of the two models.
+  int paper_ = 0;    ///< 0: for a screen; else a preset.
   std::int64_t dpi_ = 300;
 };
 

@@ -53,6 +53,7 @@ Result<figure::FieldFigureOptions> file_options(const FieldExport& request, cons
   }
   options.scale = look.scale.value_or(options.scale);
   options.map = look.map.value_or(options.map);
+  options.limits = look.limits;
   options.vision = look.vision;
   options.width_px = look.width_px;
   return options;
