@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/format.h"
+#include "ui/panels/rollout_parts.h"
 #include "ui/widgets/stroke.h"
 
 namespace trocar::ui {
@@ -96,7 +97,7 @@ void RolloutArrivals::draw(Ui& ui, const std::shared_ptr<const workbench::ModelI
   const float along = std::clamp((mouse.x - area.x0) / std::max(area.width(), 1.0F), 0.0F, 1.0F);
   const std::size_t step = inside ? static_cast<std::size_t>(std::lround(along * static_cast<float>(last))) : last;
   const std::string words = words_at(step);
-  canvas(ui, "Curve", size, words, {.help = "Share of the chosen starts that has arrived within so many steps"});
+  chart_area(ui, "Curve", size, words, {.help = "Share of the chosen starts that has arrived within so many steps"});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 dim = to_u32(ui.theme().text_dim);
   list.AddRectFilled({area.x0, area.y0}, {area.x1, area.y1}, to_u32(ui.theme().header));

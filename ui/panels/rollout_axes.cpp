@@ -47,6 +47,19 @@ std::string end_of_axis(const Theme& theme, RolloutMeasure measure, double value
   return words.substr(0, words.find(' '));
 }
 
+/// From the least to the most of the values that a range holds.
+std::string held_words(const RolloutBrush& brush, RolloutMeasure measure, const RolloutBrush::Range& range) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : brush.values(measure)) {
+    if (!(value >= range[0] && value <= range[1])) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (low > high) return "none";
+  return measure_words(measure, low) + " to " + measure_words(measure, high);
+}
+
 }  // namespace
 
 void RolloutAxes::take_mouse(Ui& ui, RolloutBrush& brush, RolloutMeasure measure, const Ends& ends, const Rect& line) {
@@ -74,12 +87,9 @@ void RolloutAxes::axis(Ui& ui, RolloutBrush& brush, std::size_t place, ImVec2 si
   const bool known = ends.low <= ends.high;
   if (!known) ends = {};
   std::string words = known ? measure_words(measure, ends.low) + " to " + measure_words(measure, ends.high) : "unknown";
-  if (const auto& range = brush.range(measure)) {
-    words += ", brushed " + measure_words(measure, std::max((*range)[0], ends.low)) + " to " +
-             measure_words(measure, std::min((*range)[1], ends.high));
-  }
-  canvas(ui, name, size, words,
-         {.help = name + ": " + words + "; drag along the axis to keep what lies there, click to let go"});
+  if (const auto& range = brush.range(measure)) words += ", brushed " + held_words(brush, measure, *range);
+  chart_area(ui, name, size, words,
+             {.help = name + ": " + words + "; drag along the axis to keep what lies there, click to let go"});
   const Rect rect = item_rect();
   const float head = 2.0F * ui.fonts().small->FontSize + ui.px(4);
   const float x = rect.centre_x();
@@ -121,10 +131,13 @@ void RolloutAxes::draw_axes(Ui& ui, const RolloutBrush& brush) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float size = ImGui::GetFontSize();
   const float apart = lines_.size() > 1 ? lines_[1].x0 - lines_[0].x0 : ui.px(40);
+  const float left = lines_.front().x0 - 0.5F * apart + ui.px(2);
+  const float right = lines_.back().x0 + 0.5F * apart - ui.px(2);
   const auto middle = [&](float x, float y, const std::string& words, Rgba colour, float room) {
     const std::string shown = fitted(words, room);
     const float width = ImGui::CalcTextSize(shown.c_str()).x;
-    list.AddText({std::round(x - 0.5F * width), y}, to_u32(colour), shown.c_str());
+    const float at = std::max(std::min(x - 0.5F * width, right - width), left);
+    list.AddText({std::round(at), y}, to_u32(colour), shown.c_str());
   };
   for (std::size_t place = 0; place < lines_.size(); ++place) {
     const Rect& line = lines_[place];

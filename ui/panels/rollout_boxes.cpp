@@ -61,7 +61,7 @@ void RolloutBoxes::draw_row(Ui& ui, const Row& row, double most_m) const {
   const auto [words, colour] = end_words(ui.theme(), row.end);
   const std::string value = spread_words(row.spread);
   const float height = std::max(ui.px(24), ImGui::GetTextLineHeight());
-  canvas(ui, row.name, {ImGui::GetContentRegionAvail().x, height}, value, {.help = value});
+  chart_area(ui, row.name, {ImGui::GetContentRegionAvail().x, height}, value, {.help = value});
   const Rect rect = item_rect();
   const std::string middle = fmt::format("{:.1f}", 1e3 * row.spread.median);
   const float name_width = ui.px(116);

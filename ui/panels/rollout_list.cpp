@@ -118,8 +118,8 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
   const Scope scope(ui, start_words(model.grid, rollout.start));
   ImGui::BeginGroup();
   const auto [words, colour] = end_words(ui.theme(), rollout.end);
-  canvas(ui, "Rollout", {side, side}, mini_words(rollout, measure, state.rollouts),
-         {.help = "From the side: y to the right, z up; the expert's way is grey"});
+  chart_area(ui, "Rollout", {side, side}, mini_words(rollout, measure, state.rollouts),
+             {.help = "From the side: y to the right, z up; the expert's way is grey"});
   const bool clicked = ImGui::IsItemClicked();
   const Rect rect = item_rect();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -132,7 +132,10 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
   draw_way(ui, inside, model.grid, model.experts.front(), ui.theme().text_disabled, 1.0F, 1.0F);
   draw_rollout(ui, inside, model.grid, rollout, state.rollouts, colour);
   list.AddCircleFilled(seen_from_side(inside, model.grid, model.goal), ui.px(3), IM_COL32(255, 200, 60, 255), 12);
-  list.AddCircleFilled(seen_from_side(inside, model.grid, rollout.start), ui.px(3), to_u32(ui.theme().text), 12);
+  const ImVec2 start = seen_from_side(inside, model.grid, rollout.start);
+  // A ring, where the head is to be seen beside it.
+  if (state.rollouts.reach) list.AddCircle(start, ui.px(3), to_u32(ui.theme().text), 12, ui.px(1.5F));
+  if (!state.rollouts.reach) list.AddCircleFilled(start, ui.px(3), to_u32(ui.theme().text), 12);
   {
     const FontScope font(ui.fonts().small);
     const std::string sign = words.substr(0, words.find(' '));
@@ -241,7 +244,8 @@ void draw_deviation_band(Ui& ui, const workbench::ModelInsight& insight) {
   const std::string value =
       fmt::format("step {}: median {}, 90 % in {} to {}, {} go on", step, millimetres(band.median[step]),
                   millimetres(band.low[step]), millimetres(band.high[step]), count(band.count[step]));
-  canvas(ui, "Band", {width, height}, value, {.help = "The middle rollout, and where 90 % of them are, step by step"});
+  chart_area(ui, "Band", {width, height}, value,
+             {.help = "The middle rollout, and where 90 % of them are, step by step"});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto point = [&](std::size_t i, double value_m) {
     return ImVec2{area.x0 + static_cast<float>(i) / static_cast<float>(last) * area.width(),

@@ -102,6 +102,14 @@ void draw_job_under_way(Ui& ui, const workbench::JobView& job, std::string_view 
   ui.animate();
 }
 
+bool chart_area(Ui& ui, std::string_view label, ImVec2 size, std::string_view value, const WidgetOptions& options) {
+  ImGui::InvisibleButton(std::string(label).c_str(), {std::max(size.x, 1.0F), std::max(size.y, 1.0F)});
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered && !options.help.empty()) ui.set_hint(options.help);
+  note_rect(ui, "canvas", label, value, item_rect(), options);
+  return hovered;
+}
+
 const std::vector<std::string>& measure_names() {
   static const std::vector<std::string> kNames{"Start",  "End",     "Steps",    "Length",     "Straight",
                                                "Worst",  "Mean",    "Fréchet",  "Last moves", "From above",

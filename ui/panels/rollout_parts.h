@@ -28,6 +28,10 @@ const workbench::JobView* job_under_way(const WorkbenchState& state, std::string
 /// Its progress, and a button that stops it and says what is kept.
 void draw_job_under_way(Ui& ui, const workbench::JobView& job, std::string_view help, Requests& requests);
 
+/// An area that is drawn by hand like `canvas`, over which the wheel still scrolls the panel. Returns true while it is
+/// hovered.
+bool chart_area(Ui& ui, std::string_view label, ImVec2 size, std::string_view value, const WidgetOptions& options = {});
+
 /// Columns of the table, the measures that rollouts are sorted by.
 const std::vector<std::string>& measure_names();
 /// A value as `learning::measure` has it, for people: "12.50 mm", "loops", "2 of 3 down".

@@ -44,7 +44,7 @@ void RolloutPlay::draw(Ui& ui, const WorkbenchState& state, Requests& requests) 
   static const std::vector<std::string> kPaces{"By step", "By length"};
   RolloutSettings settings = state.rollouts;
   const double longest = longest_rollout(*state.insight);
-  form_label(ui, "In step");
+  form_label(ui, "Pace");
   int pace = static_cast<int>(settings.pace);
   if (segmented(ui, "Pace", pace, kPaces,
                 {.help = "All take as many steps, or all are at the same share of their own ways"})) {

@@ -86,12 +86,14 @@ void RolloutsPanel::draw_outcomes(Ui& ui, const WorkbenchState& state, Requests&
   around_table(ui, insight.around, k, requests, state.rollouts);
   ImGui::Dummy({0.0F, ui.px(3)});
   summary_block(ui, "All cells", insight.all);
-  ImGui::Dummy({0.0F, ui.px(3)});
+}
+
+void RolloutsPanel::draw_spread(Ui& ui, const WorkbenchState& state) {
   arrivals_.draw(ui, state.insight);
-  ImGui::Dummy({0.0F, ui.px(3)});
-  draw_deviation_band(ui, insight);
-  ImGui::Dummy({0.0F, ui.px(3)});
-  boxes_.draw(ui, insight);
+  ImGui::Dummy({0.0F, ui.px(6)});
+  boxes_.draw(ui, *state.insight);
+  ImGui::Dummy({0.0F, ui.px(6)});
+  draw_deviation_band(ui, *state.insight);
 }
 
 Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
@@ -116,7 +118,7 @@ Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (state.insight->stale) {
     badge(ui, icon::kWarning, "stale: a demonstration was edited since training", ui.theme().warning);
   }
-  static const std::vector<std::string> kPages{"Outcomes", "Table", "Paths", "Chance", "Two models"};
+  static const std::vector<std::string> kPages{"Outcomes", "Table", "Paths", "Spread", "Chance", "Two models"};
   starts_.draw(ui, state, requests);
   draw_selected_rollout(ui, state, requests);
   segmented(ui, "Page", page_, kPages, {.help = "What of the rollouts is shown"});
@@ -132,8 +134,9 @@ Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
     play_.draw(ui, state, requests);
     multiples_.draw(ui, state, brush_, requests);
   }
-  if (page_ == 3) runs_.draw(ui, state, requests);
-  if (page_ == 4) draw_second_model(ui, state, requests);
+  if (page_ == 3) draw_spread(ui, state);
+  if (page_ == 4) runs_.draw(ui, state, requests);
+  if (page_ == 5) draw_second_model(ui, state, requests);
   return requests;
 }
 

@@ -156,10 +156,14 @@ TEST_CASE("a drag along an axis brushes table and pictures, a click on it or Sho
   CHECK(text_of(desk.driver().drag("Rollouts/Measures/Steps", 0, -400)) == "");
   desk.frames(2);
   CHECK(desk.value("Rollouts/Measures/Steps").ends_with(" to " + std::to_string(most)));
-  CHECK(desk.value("Rollouts/Measures/Steps").find("brushed") != std::string::npos);
+  const std::string told = desk.value("Rollouts/Measures/Steps");
+  REQUIRE(told.find("brushed ") != std::string::npos);
+  const auto low = static_cast<std::size_t>(std::stoi(told.substr(told.find("brushed ") + 8)));
   const std::string brushed = desk.value("Rollouts/Measures/Brushed");
   const int kept = std::stoi(brushed);
   CHECK(brushed == std::to_string(kept) + " of 40 brushed");
+  CHECK(std::count_if(desk.listed().begin(), desk.listed().end(),
+                      [low](const auto& one) { return one.cells.size() - 1 >= low; }) == kept);
   CHECK(kept > 0);
   CHECK(kept < 40);
   CHECK(shown_rows() <= std::min(before, kept));
@@ -183,7 +187,7 @@ TEST_CASE("a drag along an axis brushes table and pictures, a click on it or Sho
 }
 
 TEST_CASE("arrivals end at the share that arrives at all, of both models if there are two") {
-  PlayedDesk desk("Outcomes");
+  PlayedDesk desk("Spread");
   const std::string alone = desk.value("Rollouts/Arrivals/Curve");
   CHECK(alone.starts_with("within "));
   CHECK(alone.ends_with(" steps: 100 % (294)"));
@@ -198,7 +202,7 @@ TEST_CASE("arrivals end at the share that arrives at all, of both models if ther
 }
 
 TEST_CASE("each end has its box of worst deviations, told apart by model, with the spread of its rollouts") {
-  PlayedDesk desk("Outcomes");
+  PlayedDesk desk("Spread");
   const auto spread = learning::worst_deviations_m(desk.listed(), learning::RolloutEnd::kArrives);
   CHECK(desk.value("Rollouts/Worst deviation/Arrives").starts_with(std::to_string(spread.count) + ": "));
   CHECK_FALSE(desk.present("Rollouts/Worst deviation/Loops"));
