@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/check.h"
 #include "engine/learning/learning_history.h"
 #include "engine/learning/policy.h"
 #include "engine/learning/rollout.h"
@@ -250,6 +251,25 @@ Field field(const Model& model, Layer layer, const spatial::CellSet* obstacles) 
   result.categories = category_names(layer);
   result.categorical = !result.categories.empty();
   return result;
+}
+
+std::optional<double> known_value(const Model& model, Layer layer, spatial::CellIndex cell) {
+  const auto s = static_cast<std::size_t>(cell.value);
+  const auto finite = [](double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; };
+  const auto of_action = [&](std::size_t action) {
+    const bool tried = (model.tried[s] >> action & 1) != 0;
+    return tried ? finite(model.q[s * kActionCount + action]) : std::nullopt;
+  };
+  if (layer == Layer::kReward) {
+    const auto shown = [cell](const CellSequence& expert) {
+      return std::find(expert.begin(), expert.end(), cell) != expert.end();
+    };
+    const bool there = known(model, s) || std::any_of(model.experts.begin(), model.experts.end(), shown);
+    return there ? finite(model.theta[s]) : std::nullopt;
+  }
+  if (layer == Layer::kValue) return known(model, s) ? finite(model.value[s]) : std::nullopt;
+  TROCAR_CHECK(layer >= Layer::kQPlusX && layer <= Layer::kQMinusZ);
+  return of_action(static_cast<std::size_t>(layer) - static_cast<std::size_t>(Layer::kQPlusX));
 }
 
 }  // namespace trocar::learning

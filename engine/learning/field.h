@@ -49,6 +49,9 @@ struct Field {
   double low() const;   ///< Smallest finite value, 0 if none.
   double high() const;  ///< Largest finite value, 1 if none.
 };
+/// What the layer has in one cell, without making the layer; nothing where it is unknown. Of the layers reward, value,
+/// Q and margin.
+std::optional<double> known_value(const Model& model, Layer layer, spatial::CellIndex cell);
 /// `obstacles`, of the model's grid, is what the layer of that name shows; without them nothing is known there.
 Field field(const Model& model, Layer layer, const spatial::CellSet* obstacles = nullptr);
 

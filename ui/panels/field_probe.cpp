@@ -60,19 +60,17 @@ std::string_view action_words(std::uint8_t action) {
   return action == learning::kNoAction ? "none" : spatial::to_string(static_cast<spatial::Action>(action));
 }
 
-// By how much the best action is better than the second.
-double margin_of(const learning::Model& model, spatial::CellIndex cell) {
-  double first = -std::numeric_limits<double>::infinity();
-  double second = first;
-  for (int a = 0; a < spatial::kActionCount; ++a) {
-    const double q = model.q_at(cell, static_cast<spatial::Action>(a));
-    second = std::max(second, std::min(q, first));
-    first = std::max(first, q);
-  }
-  return first - second;
+std::string known_words(const learning::Model& model, learning::Layer layer, spatial::CellIndex cell) {
+  const std::optional<double> value = learning::known_value(model, layer, cell);
+  return value ? number(*value) : "unknown";
 }
 
-std::vector<ProbeRow> rows_of(const WorkbenchState& state, const spatial::CellCoordinates& at) {
+learning::Layer layer_of(int action) {
+  return static_cast<learning::Layer>(static_cast<int>(learning::Layer::kQPlusX) + action);
+}
+
+std::vector<ProbeRow> rows_of(const WorkbenchState& state, const learning::Field& margin,
+                              const spatial::CellCoordinates& at) {
   const learning::Model& model = *state.insight->entry->model;
   const learning::Field& field = *state.insight->field;
   const spatial::CellIndex cell = model.grid.index(at);
@@ -82,16 +80,16 @@ std::vector<ProbeRow> rows_of(const WorkbenchState& state, const spatial::CellCo
   std::vector<ProbeRow> rows{{"Position", fmt::format("{}, {}, {} mm", mm(p.x()), mm(p.y()), mm(p.z()))},
                              {"Index", count(cell.value)}};
   if (!has_own_row(field.layer)) rows.push_back({field.title, value_words(field, field.values[flat])});
-  rows.push_back({"Reward θ", number(model.theta[flat])});
-  rows.push_back({"Value V", number(model.value[flat])});
+  rows.push_back({"Reward θ", known_words(model, learning::Layer::kReward, cell)});
+  rows.push_back({"Value V", known_words(model, learning::Layer::kValue, cell)});
   const std::uint8_t best = best_of(state, flat);
   for (int a = 0; a < spatial::kActionCount; ++a) {
     const auto action = static_cast<spatial::Action>(a);
     const std::string sign = a == static_cast<int>(best) ? std::string(icon::kVerify) + " " : "";
-    rows.push_back({fmt::format("Q {}", spatial::to_string(action)), sign + number(model.q_at(cell, action))});
+    rows.push_back({fmt::format("Q {}", spatial::to_string(action)), sign + known_words(model, layer_of(a), cell)});
   }
   rows.push_back({"Best action", std::string(action_words(best))});
-  rows.push_back({"Margin", number(margin_of(model, cell))});
+  rows.push_back({"Margin", value_words(margin, margin.values[flat])});
   rows.push_back({field.layer == learning::Layer::kVisits ? field.title : "Visits", visits_words(model, flat)});
   rows.push_back({"Explored", explored_words(model.tried[flat], cell == model.goal)});
   return rows;
@@ -100,6 +98,10 @@ std::vector<ProbeRow> rows_of(const WorkbenchState& state, const spatial::CellCo
 // Shortest text that is the same number; nothing for what is none.
 std::string plain_number(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "";
+}
+
+std::string plain_value(const learning::Model& model, learning::Layer layer, spatial::CellIndex cell) {
+  return plain_number(learning::known_value(model, layer, cell).value_or(NAN));
 }
 
 }  // namespace
@@ -113,7 +115,15 @@ void FieldProbe::pin(const spatial::CellCoordinates& cell) {
   }
 }
 
-std::string FieldProbe::csv(const WorkbenchState& state, const spatial::CellCoordinates& at) const {
+void FieldProbe::follow(const WorkbenchState& state) {
+  const auto& model = state.insight->entry->model;
+  if (margin_ && margin_of_ == model) return;
+  margin_of_ = model;
+  margin_ = std::make_shared<const learning::Field>(learning::field(*model, learning::Layer::kMargin));
+}
+
+std::string FieldProbe::csv(const WorkbenchState& state, const spatial::CellCoordinates& at) {
+  follow(state);
   const learning::Model& model = *state.insight->entry->model;
   const learning::Field& field = *state.insight->field;
   std::string text = "i,j,k,index,x_mm,y_mm,z_mm," + std::string(learning::to_string(field.layer)) +
@@ -125,11 +135,12 @@ std::string FieldProbe::csv(const WorkbenchState& state, const spatial::CellCoor
     const Eigen::Vector3d p = model.grid.centre(cell);
     text += fmt::format("{},{},{},{},{:.4f},{:.4f},{:.4f},{},{},{}", c.x, c.y, c.z, cell.value, spatial::to_mm(p.x()),
                         spatial::to_mm(p.y()), spatial::to_mm(p.z()), plain_number(field.values[flat]),
-                        plain_number(model.theta[flat]), plain_number(model.value[flat]));
+                        plain_value(model, learning::Layer::kReward, cell),
+                        plain_value(model, learning::Layer::kValue, cell));
     for (int a = 0; a < spatial::kActionCount; ++a) {
-      text += "," + plain_number(model.q_at(cell, static_cast<spatial::Action>(a)));
+      text += "," + plain_value(model, layer_of(a), cell);
     }
-    text += fmt::format(",{},{},{},{}\n", action_words(best_of(state, flat)), plain_number(margin_of(model, cell)),
+    text += fmt::format(",{},{},{},{}\n", action_words(best_of(state, flat)), plain_number(margin_->values[flat]),
                         model.visits[flat], std::popcount(model.tried[flat]));
   }
   return text;
@@ -137,6 +148,7 @@ std::string FieldProbe::csv(const WorkbenchState& state, const spatial::CellCoor
 
 void FieldProbe::draw(Ui& ui, const WorkbenchState& state, const spatial::CellCoordinates& at, Requests& requests) {
   const Scope scope(ui, "Probe");
+  follow(state);
   std::erase_if(pinned_, [&](const auto& cell) { return !state.insight->entry->model->grid.contains(cell); });
   heading(ui, "Cell " + cell_words(at));
   const bool is_pinned = std::find(pinned_.begin(), pinned_.end(), at) != pinned_.end();
@@ -155,7 +167,7 @@ void FieldProbe::draw(Ui& ui, const WorkbenchState& state, const spatial::CellCo
   const FontScope font(ui.fonts().small);
   if (!pinned_.empty()) return draw_table(ui, state, at);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
-  for (const ProbeRow& row : rows_of(state, at)) fact(ui, row.name, row.value);
+  for (const ProbeRow& row : rows_of(state, *margin_, at)) fact(ui, row.name, row.value);
   ImGui::PopStyleVar();
 }
 
@@ -167,7 +179,7 @@ void FieldProbe::draw_table(Ui& ui, const WorkbenchState& state, const spatial::
   std::vector<spatial::CellCoordinates> cells = pinned_;
   const bool loose = std::find(cells.begin(), cells.end(), at) == cells.end();
   if (loose) cells.insert(cells.begin(), at);
-  const std::vector<ProbeRow> names = rows_of(state, cells.front());
+  const std::vector<ProbeRow> names = rows_of(state, *margin_, cells.front());
   const float line = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
   const float height = line * static_cast<float>(names.size() + 1) + ImGui::GetFrameHeight() +
                        ImGui::GetStyle().ScrollbarSize + ui.px(8);
@@ -188,7 +200,7 @@ void FieldProbe::draw_table(Ui& ui, const WorkbenchState& state, const spatial::
     }
   }
   std::vector<std::vector<ProbeRow>> columns;
-  for (const spatial::CellCoordinates& cell : cells) columns.push_back(rows_of(state, cell));
+  for (const spatial::CellCoordinates& cell : cells) columns.push_back(rows_of(state, *margin_, cell));
   for (std::size_t row = 0; row < names.size(); ++row) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();

@@ -97,3 +97,24 @@ TEST_CASE("a field that knows nothing ranges from 0 to 1") {
   CHECK(nothing.low() == 0.0);
   CHECK(nothing.high() == 1.0);
 }
+
+TEST_CASE("one cell of a layer is what the layer has there") {
+  for (const Method method : {Method::kEgMaxent, Method::kEgMaxentPlus, Method::kExact}) {
+    TrainOptions options;
+    options.method = method;
+    options.episodes = 1000;
+    Progress progress;
+    const Model model =
+        train(spatial::Grid{}, {trocar::testing::sample_demonstrations()[1]}, options, progress).value();
+    for (const Layer layer : {Layer::kReward, Layer::kValue, Layer::kQPlusX, Layer::kQMinusX, Layer::kQPlusY,
+                              Layer::kQMinusY, Layer::kQPlusZ, Layer::kQMinusZ}) {
+      CAPTURE(to_string(layer));
+      const Field whole = field(model, layer);
+      for (std::size_t s = 0; s < whole.values.size(); ++s) {
+        const auto value = known_value(model, layer, {static_cast<std::int32_t>(s)});
+        REQUIRE(value.has_value() == std::isfinite(whole.values[s]));
+        if (value) CHECK(*value == whole.values[s]);
+      }
+    }
+  }
+}
