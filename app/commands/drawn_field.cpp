@@ -133,7 +133,12 @@ Result<workbench::FieldSettings> settings_from(const FieldArguments& arguments, 
   TROCAR_ASSIGN_OR_RETURN(settings.glyphs, stage::glyphs_from(arguments.glyphs));
   for (const std::string& text : arguments.slices) {
     TROCAR_ASSIGN_OR_RETURN(const figure::Slice slice, figure::slice_from(text, model.grid));
-    settings.slices[static_cast<std::size_t>(slice.axis)] = slice.index;
+    int& index = settings.slices[static_cast<std::size_t>(slice.axis)];
+    if (index >= 0) {
+      return fail(ErrorCode::kInvalidArgument,
+                  "--slice takes one slice for each axis, and there are two across " + text.substr(0, 1));
+    }
+    index = slice.index;
   }
   if (!arguments.limits.empty()) {
     if (!(arguments.limits[0] < arguments.limits[1])) {

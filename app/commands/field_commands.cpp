@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/commands/print_arguments.h"
@@ -83,6 +84,8 @@ Status check_heeded(const ExportArguments& arguments) {
 
 /// What a figure of it shows: the range of numbers, or how many cells each category has.
 std::string contents(const learning::Field& field) {
+  const auto known = [](double value) { return std::isfinite(value); };
+  if (std::none_of(field.values.begin(), field.values.end(), known)) return field.title + ": no cell is known";
   if (!field.categorical) return fmt::format("{} from {:.4g} to {:.4g}", field.title, field.low(), field.high());
   std::string text = field.title;
   for (std::size_t category = 0; category < field.categories.size(); ++category) {
@@ -129,6 +132,7 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   if (!arguments.against.empty()) {
     TROCAR_ASSIGN_OR_RETURN(request.against, find_model(*file.project(), arguments.against));
     warn_if_stale(*file.project(), *request.against, console);
+    warn_if_unlike(*request.model, *request.against, console);
   }
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_ASSIGN_OR_RETURN(const learning::Field field, workbench::export_field(request));

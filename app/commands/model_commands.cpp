@@ -176,7 +176,12 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   Answer answer;
   answer.json = full_json(*file.project(), *file.project()->models.at(workbench::ModelId{id}));
   answer.summary = line_of(answer.json);
-  answer.text = fmt::format("Model {}, {}", id, answer.summary);
+  const std::vector<double>& numbers =
+      request.kind == learning::TableKind::kQ ? imported.model->q : imported.model->theta;
+  const auto known = std::count_if(numbers.begin(), numbers.end(), [](double value) { return std::isfinite(value); });
+  answer.json["numbers"] = numbers.size();
+  answer.json["known"] = known;
+  answer.text = fmt::format("Model {}, {}; {} of {} numbers are known", id, answer.summary, known, numbers.size());
   return answer;
 }
 

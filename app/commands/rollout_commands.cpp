@@ -185,8 +185,9 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
   answer.json = {{"starts", starts.size()}, {"wins_a", paired.wins_a},       {"wins_b", paired.wins_b},
                  {"ties", paired.ties},     {"mcnemar_p", paired.mcnemar_p}, {"model_a", a->id.value},
                  {"model_b", b->id.value}};
-  answer.summary = fmt::format("only A arrives {}, only B {}, ties {}, McNemar p = {:.3g}", paired.wins_a,
-                               paired.wins_b, paired.ties, paired.mcnemar_p);
+  answer.summary =
+      fmt::format("only A arrives {}, only B {}, ties {}, McNemar p {}", paired.wins_a, paired.wins_b, paired.ties,
+                  paired.mcnemar_p < 0.001 ? std::string("< 0.001") : fmt::format("= {:.3g}", paired.mcnemar_p));
   answer.text = fmt::format("A {}, B {}: {}", a->name, b->name, answer.summary);
   return answer;
 }

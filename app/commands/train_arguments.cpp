@@ -29,11 +29,12 @@ void bind_training(CLI::App& verb, TrainArguments& arguments) {
   verb.add_option("--theta-rate", options.theta_rate, "β of equation (1)")->capture_default_str();
   verb.add_option("--q-rate", options.q_rate, "α of equation (2)")->capture_default_str();
   verb.add_option("--discount", options.discount, "γ of equation (2)")->capture_default_str();
-  verb.add_option("--safe-radius", options.safe_radius, "Cells around the demonstration that the agent never leaves")
-      ->capture_default_str();
-  verb.add_option("--start-spread", options.start_spread,
-                  "Training starts within ± this many cells of the expert's (not of eg-maxent)")
-      ->capture_default_str();
+  verb.add_option("--safe-radius", arguments.safe_radius,
+                  "Cells around the demonstration that the agent never leaves (4 of 22, as long on other lattices)");
+  verb.add_option(
+      "--start-spread", arguments.start_spread,
+      "Training starts within ± this many cells of the expert's (6 of 22, as long on other lattices; not of "
+      "eg-maxent)");
   verb.add_option("--prior", options.theta_prior, "θ₀ of exact")->capture_default_str();
   verb.add_option("--regularisation", options.regularisation, "λ of exact")->capture_default_str();
 }
@@ -44,6 +45,9 @@ Result<workbench::TrainModel> training_of(const TrainArguments& arguments, const
   request.options = arguments.options;
   TROCAR_ASSIGN_OR_RETURN(request.options.method, learning::method_from(arguments.method));
   request.grid = arguments.grid;
+  const learning::TrainOptions usual = learning::options_of(learning::Preset::kPaper, arguments.grid);
+  request.options.safe_radius = arguments.safe_radius.value_or(usual.safe_radius);
+  request.options.start_spread = arguments.start_spread.value_or(usual.start_spread);
   for (const std::string& text : arguments.demonstrations) {
     TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(project, text));
     request.demonstrations.push_back(demonstration->id);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct TrainArguments {
   std::string method = "exact";
   learning::TrainOptions options;
   int grid = 22;
+  std::optional<int> safe_radius;   ///< Cells; none: the paper's lengths on this lattice.
+  std::optional<int> start_spread;  ///< Likewise.
 };
 
 /// Errors: kInvalidArgument for what is no segment, and for the operator's.

@@ -76,6 +76,7 @@ Status add_beside(const workbench::ModelEntry& first, const workbench::ModelEntr
   layer.slices = left.slices;
   left.colouring = workbench::shared_colouring(*left.field, *layer.field, settings);
   layer.colouring = left.colouring;
+  request.camera = workbench::half_camera(request.camera);
   request.beside = {request.pose, request.paths, {std::move(layer)}};
   return {};
 }
@@ -129,8 +130,11 @@ Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(workbench::Studio studio, workbench::Studio::create());
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_ASSIGN_OR_RETURN(Image picture, studio.picture(request));
-  for (const stage::FieldLayer& layer : request.fields) {
-    picture = figure::with_legend(picture, *layer.field, layer.colouring, owner);
+  // One below the other, what --layer says first.
+  double below_px = 0.0;
+  for (auto layer = request.fields.rbegin(); layer != request.fields.rend(); ++layer) {
+    picture = figure::with_legend(picture, *layer->field, layer->colouring,
+                                  layer == request.fields.rbegin() ? owner : std::string(), below_px);
   }
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   TROCAR_RETURN_IF_ERROR(media::write_png(arguments.out, picture));

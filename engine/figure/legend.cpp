@@ -26,6 +26,12 @@ double unit_of(const Image& picture) {
 
 Image with_legend(const Image& picture, const learning::Field& field, const plot::Colouring& colouring,
                   const std::string& owner) {
+  double below_px = 0.0;
+  return with_legend(picture, field, colouring, owner, below_px);
+}
+
+Image with_legend(const Image& picture, const learning::Field& field, const plot::Colouring& colouring,
+                  const std::string& owner, double& below_px) {
   using canvas::TextStyle;
   const double unit = unit_of(picture);
   canvas::Canvas canvas(picture);
@@ -44,8 +50,11 @@ Image with_legend(const Image& picture, const learning::Field& field, const plot
       2 * kPad * unit + std::max({canvas.text_width(field.title, title), canvas.text_width(owner, small),
                                   key_width(canvas, known, {}, colouring, look)});
   const double left = picture.width - wide - kPad * unit;
-  const double top = kPad * unit;
-  canvas.rectangle(left, top, wide, head + bar + 2 * kPad * unit, kCard, 6.0 * unit);
+  const double top = below_px + kPad * unit;
+  const double tall = head + bar + 2 * kPad * unit;
+  if (below_px > 0.0 && top + tall > picture.height) return picture;
+  below_px = top + tall;
+  canvas.rectangle(left, top, wide, tall, kCard, 6.0 * unit);
   const double x = left + kPad * unit;
   double base = top + (kPad + 12.0) * unit;
   canvas.text({x, base}, field.title, title);

@@ -1,6 +1,7 @@
 #include "engine/workbench/studio.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/learning/start_set.h"
@@ -95,6 +96,14 @@ void Studio::show_paths(const std::shared_ptr<const std::vector<stage::PathLayer
     for (const stage::PathLayer& path : *paths) stage::add_path(path, made);
   }
   kept.path_nodes = std::move(made.nodes);
+}
+
+scene::Camera half_camera(const scene::Camera& whole) {
+  constexpr double kWider = 1.5;
+  scene::Camera half = whole;
+  half.vertical_fov_rad = 2.0 * std::atan(kWider * std::tan(0.5 * whole.vertical_fov_rad));
+  half.orthographic_height_m *= kWider;
+  return half;
 }
 
 stage::Pose3d ready_stage() {

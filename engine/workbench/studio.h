@@ -68,6 +68,10 @@ class Studio {
   stage::LabelPainter labels_;
 };
 
+/// The camera of either half of a picture that shows two models: it sees more above and below, so that less is lost at
+/// the sides.
+scene::Camera half_camera(const scene::Camera& whole);
+
 /// The scene before anything is recorded: arms at the ready pose, every block on its start peg.
 stage::Pose3d ready_stage();
 

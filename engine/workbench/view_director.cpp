@@ -262,7 +262,7 @@ ViewRequest ViewDirector::request_for(const WorkbenchState& state) const {
     request.pose = ready_;
   }
   add_fields(state, request);
-  request.camera = camera_of(state);
+  request.camera = shows_second(state) ? half_camera(camera_of(state)) : camera_of(state);
   request.options.light_ground = state.light_backdrop;
   request.render.width = width_;
   request.render.height = height_;

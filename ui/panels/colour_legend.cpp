@@ -146,6 +146,11 @@ std::optional<std::array<double, 2>> colour_legend(Ui& ui, const FieldShading& s
     draw_classes(ui, shading);
     return options.limits;
   }
+  const std::vector<double>& values = shading.field().values;
+  if (std::none_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
+    wrapped_text(ui, "No cell of this layer is known to the model", ui.theme().text_dim);
+    return options.limits;
+  }
   const Scope scope(ui, "Colour bar");
   const float height = ui.px(12);
   const float above = ui.px(26);

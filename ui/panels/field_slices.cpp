@@ -7,6 +7,7 @@
 
 #include "ui/icons.h"
 #include "ui/panels/colour_legend.h"
+#include "ui/panels/slice_marks.h"
 
 namespace trocar::ui {
 namespace {
@@ -26,16 +27,12 @@ int coordinate(const spatial::CellCoordinates& cell, int axis) {
   return axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
 }
 
-void dot(ImVec2 at, float radius, Rgba colour, Rgba ring) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddCircleFilled(at, radius + 1.5F, to_u32(ring), 16);
-  list.AddCircleFilled(at, radius, to_u32(colour), 16);
-}
-
 // What stands above and below the picture of a slice: its axes and its slider.
 float below_slice(const Ui& ui) {
   return ImGui::GetFrameHeightWithSpacing() + ui.fonts().small->FontSize + ImGui::GetStyle().ItemSpacing.y;
 }
+
+constexpr int kMostOutlined = 44;
 
 // Columns that give the largest square tiles in the room, and their side.
 std::pair<int, float> tiles_for(int count, ImVec2 room, float gap) {
@@ -56,8 +53,10 @@ void FieldSlices::update(const WorkbenchState& state) {
   const spatial::Grid& grid = state.insight->field->grid;
   n_ = grid.n;
   pinned_.reset();
-  if (placed_for_ != state.model) {
-    placed_for_ = state.model;
+  // The insight may be another model's for a moment after a change.
+  const workbench::ModelId shown = state.insight->entry->id;
+  if (placed_for_ != shown) {
+    placed_for_ = shown;
     const spatial::CellCoordinates goal = grid.coordinates(state.insight->entry->model->goal);
     index_ = {goal.x, goal.y, goal.z};
   }
@@ -121,24 +120,13 @@ void FieldSlices::draw_marks(Ui& ui, const WorkbenchState& state, int axis, cons
     return ImVec2{rect.x0 + (static_cast<float>(right) + 0.5F) * cell_px,
                   rect.y1 - (static_cast<float>(up) + 0.5F) * cell_px};
   };
+  draw_slice_outline(ui, *state.insight->entry->model, {axis, index_[static_cast<std::size_t>(axis)], rect});
   const ImVec2 cross = middle(index_[static_cast<std::size_t>(axes.right)], index_[static_cast<std::size_t>(axes.up)]);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 line = IM_COL32(255, 255, 255, 110);
   list.AddRectFilled({std::round(cross.x), rect.y0}, {std::round(cross.x) + 1.0F, rect.y1}, line);
   list.AddRectFilled({rect.x0, std::round(cross.y)}, {rect.x1, std::round(cross.y) + 1.0F}, line);
-  const learning::Model& model = *state.insight->entry->model;
-  const auto mark = [&](spatial::CellIndex index, std::string_view letter, Rgba colour) {
-    const spatial::CellCoordinates cell = grid.coordinates(index);
-    if (coordinate(cell, axis) != index_[static_cast<std::size_t>(axis)]) return;
-    const ImVec2 at = middle(coordinate(cell, axes.right), coordinate(cell, axes.up));
-    dot(at, ui.px(6), colour, {16, 18, 21, 255});
-    const FontScope font(ui.fonts().small);
-    const ImVec2 size = ImGui::CalcTextSize(letter.data(), letter.data() + letter.size());
-    list.AddText({std::round(at.x - 0.5F * size.x), std::round(at.y - 0.5F * size.y)}, IM_COL32(16, 18, 21, 255),
-                 letter.data(), letter.data() + letter.size());
-  };
-  mark(model.start, "S", {240, 240, 240, 255});
-  mark(model.goal, "G", {255, 200, 60, 255});
+  draw_slice_ends(ui, *state.insight->entry->model, {axis, index_[static_cast<std::size_t>(axis)], rect});
 }
 
 void FieldSlices::draw_below(Ui& ui, const WorkbenchState& state, int axis, float right, Requests& requests) {
@@ -254,6 +242,8 @@ bool FieldSlices::draw_montage(Ui& ui, const WorkbenchState& state, FieldShading
     const auto from = static_cast<float>(z) / static_cast<float>(n_);
     const auto to = static_cast<float>(z + 1) / static_cast<float>(n_);
     list.AddImage(texture, {rect.x0, rect.y0}, {rect.x1, rect.y1}, {0.0F, from}, {1.0F, to});
+    // The outline of very many small cells would cost more than the field itself.
+    if (n_ <= kMostOutlined) draw_slice_outline(ui, *state.insight->entry->model, {2, z, rect});
     const ImVec2 words = ImGui::CalcTextSize(name.c_str());
     list.AddRectFilled({rect.x0, rect.y0}, {rect.x0 + words.x + ui.px(6), rect.y0 + words.y + ui.px(2)},
                        IM_COL32(16, 18, 21, 190));

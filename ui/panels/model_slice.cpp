@@ -6,6 +6,7 @@
 
 #include "engine/figure/field_figure.h"
 #include "ui/panels/colour_legend.h"
+#include "ui/panels/slice_marks.h"
 
 namespace trocar::ui {
 
@@ -60,6 +61,8 @@ void draw_model_slice(Ui& ui, const WorkbenchState& state, const FieldShading& s
   step_model_slice(state, options.axis, requests);
   draw_hatch(ui, rect);
   paint_model_slice(ui, state, shading, options.label, options.axis, rect);
+  draw_slice_outline(ui, *state.insight->entry->model, {options.axis, model_slice_index(state, options.axis), rect});
+  draw_slice_ends(ui, *state.insight->entry->model, {options.axis, model_slice_index(state, options.axis), rect});
   ImGui::EndGroup();
 }
 

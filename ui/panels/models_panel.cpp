@@ -48,6 +48,7 @@ void ModelsPanel::draw_choice(Ui& ui, const WorkbenchState& state, Requests& req
   if (segmented(ui, "Beside it", beside, kBeside, {.help = "What the model is compared with"})) {
     workbench::LearningSettings settings = state.learning;
     settings.seeds = beside == 1 ? kSeeds : 0;
+    settings.second_in_view = false;
     requests.emplace_back(Command{workbench::SetLearning{settings}});
   }
   if (beside == 1) return;
@@ -141,10 +142,21 @@ void ModelsPanel::draw_pictures(Ui& ui, const WorkbenchState& state, Requests& r
   colour_legend(ui, shadings_[2], NAN, {});
 }
 
-void ModelsPanel::draw_axis(Ui& ui) {
+void ModelsPanel::draw_axis(Ui& ui, const WorkbenchState& state, Requests& requests) {
   static const std::vector<std::string> kAxes{"x", "y", "z"};
   form_label(ui, "Across");
   segmented(ui, "Across", axis_, kAxes, {.help = "Which axis the slices are cut across"});
+  form_label(ui, "Slice");
+  const auto axis = static_cast<std::size_t>(axis_);
+  const std::string format = kAxes[axis] + " = %d";
+  int index = model_slice_index(state, axis_);
+  if (!slider_int(ui, "Slice", index, 0, state.insight->field->grid.n - 1, format.c_str(),
+                  {.help = "Of both pictures, and of the view if it shows this slice"})) {
+    return;
+  }
+  workbench::FieldSettings settings = state.field;
+  settings.slices[axis] = index;
+  requests.emplace_back(Command{workbench::SetField{settings}});
 }
 
 Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {
@@ -165,7 +177,7 @@ Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {
   draw_choice(ui, state, requests);
   draw_model_state(ui, state, requests);
   if (state.learning.seeds > 0) {
-    draw_axis(ui);
+    draw_axis(ui, state, requests);
     seed_page_.draw(ui, state, axis_, requests);
     return requests;
   }
@@ -177,11 +189,20 @@ Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {
     empty_state(ui, icon::kThLarge, "One model only", "Choose a second one above to see what differs", {});
     return requests;
   }
+  const workbench::ModelEntry& a = *state.insight->entry;
+  const workbench::ModelEntry& b = *state.insight->second->entry;
+  if (a.segment != b.segment) {
+    wrapped_text(ui,
+                 fmt::format("A serves segment {} and B segment {}: they do different tasks, so that their numbers say "
+                             "little about each other",
+                             demonstration::letter(a.segment), demonstration::letter(b.segment)),
+                 ui.theme().warning);
+  }
   int mode = static_cast<int>(mode_);
   if (segmented(ui, "Mode", mode, kModes, {.help = "How the two are laid beside or over each other"})) {
     mode_ = static_cast<Mode>(mode);
   }
-  draw_axis(ui);
+  draw_axis(ui, state, requests);
   form_label(ui, "3-D view");
   bool in_view = state.learning.second_in_view;
   if (checkbox(ui, "Both models", in_view,
@@ -189,6 +210,8 @@ Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {
     workbench::LearningSettings settings = state.learning;
     settings.second_in_view = in_view;
     requests.emplace_back(Command{workbench::SetLearning{settings}});
+    // There is something to compare, then.
+    if (in_view && !shows_field(state.field)) append(requests, command("view.field").run(state));
   }
   if (mode_ == Mode::kBlink) {
     ui.animate();

@@ -19,7 +19,7 @@ class ModelsPanel final : public Panel {
   enum class Mode { kSideBySide, kSwipe, kBlink, kDifference, kPolicy, kOutcomes };
   void draw_choice(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_pictures(Ui& ui, const WorkbenchState& state, Requests& requests);
-  void draw_axis(Ui& ui);
+  void draw_axis(Ui& ui, const WorkbenchState& state, Requests& requests);
   /// A and B in one square, the border between them dragged with the mouse.
   void draw_swipe(Ui& ui, const WorkbenchState& state, float side);
   void draw_shared_legend(Ui& ui, const WorkbenchState& state, Requests& requests);

@@ -68,7 +68,7 @@ void summary_block(Ui& ui, std::string_view name, const learning::RolloutSummary
   dim_text(ui, count(summary.count) + " starts");
   outcome_row(ui, icon::kVerify, "Arrives", summary.arrived, summary.count, ui.theme().good);
   outcome_row(ui, icon::kRefresh, "Loops", summary.looped, summary.count, ui.theme().warning);
-  outcome_row(ui, icon::kCross, "Dead end", summary.dead_end, summary.count, ui.theme().danger);
+  outcome_row(ui, icon::kCross, "Dead end or outside", summary.dead_end, summary.count, ui.theme().danger);
   outcome_row(ui, icon::kDownload, "From above", summary.from_above, summary.arrived, ui.theme().accent);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/workbench/studio.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/common.h"
@@ -248,6 +249,7 @@ Requests ViewPanel::draw(Ui& ui, const WorkbenchState& state) {
   const bool halves = state.picture_edges || state.picture_models;
   ViewPort port{shown_camera(state), rect};
   if (halves) port.rect.x1 = rect.centre_x();
+  if (state.picture_models) port.camera = workbench::half_camera(port.camera);
   bool taken = take_.take_mouse(ui, state, port, hovered, requests);
   // Handles of a tool belong to one picture; slices are the same in both halves.
   if (!taken && !halves) taken = gizmo_.take_mouse(ui, state, port, hovered, requests);
