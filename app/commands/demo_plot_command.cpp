@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/commands/curve_file.h"
 #include "app/commands/demo_commands.h"
 #include "app/commands/print_arguments.h"
 #include "engine/figure/curve_figure.h"
-#include "engine/media/picture_file.h"
 #include "engine/workbench/curves.h"
 
 namespace trocar::app {
@@ -101,15 +101,8 @@ Result<Answer> run_plot(const PlotArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const auto shown, find_demonstration(*file.project(), arguments.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const figure::CurveFigure made, figure_of(arguments, *shown));
   const std::filesystem::path out = arguments.out;
-  const std::string ending = out.extension().string();
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
-  if (ending == ".png") {
-    std::optional<double> dpi = made.print ? std::optional(made.print->dpi) : std::nullopt;
-    if (arguments.dpi > 0.0) dpi = arguments.dpi;
-    TROCAR_RETURN_IF_ERROR(media::write_png(out, figure::draw_curves(made), dpi));
-  } else {
-    TROCAR_RETURN_IF_ERROR(ending == ".csv" ? figure::save_curves_csv(made, out) : figure::save_curves(made, out));
-  }
+  TROCAR_RETURN_IF_ERROR(write_curves(made, out, arguments.dpi));
   std::error_code ignored;
   Answer answer;
   answer.json = {{"id", shown->id.value},     {"out", arguments.out},

@@ -8,7 +8,9 @@
 #include "app/commands/train_arguments.h"
 #include "app/lookup.h"
 #include "app/options.h"
+#include "engine/core/file.h"
 #include "engine/exchange/lattice_table.h"
+#include "engine/learning/comparison_csv.h"
 #include "engine/learning/model_comparison.h"
 #include "engine/workbench/jobs/train_job.h"
 
@@ -255,6 +257,7 @@ struct CompareArguments {
   std::string project;
   std::string model_a;
   std::string model_b;
+  std::string out;
 };
 
 /// Both values, and B's change against A in per cent; null where A is 0, or where a model has no such value.
@@ -325,6 +328,10 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
     const Json& value = answer.json[key]["change_percent"];
     return value.is_null() ? std::string("n/a") : fmt::format("{:+.0f} %", value.get<double>());
   };
+  if (!arguments.out.empty()) {
+    TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".csv"}));
+    TROCAR_RETURN_IF_ERROR(write_file(arguments.out, learning::comparison_csv(a, b, compared)));
+  }
   answer.summary = fmt::format("fully explored {}, fully unexplored {}, policy differs in {} cells",
                                percent("fully_explored"), percent("fully_unexplored"), changed);
   answer.text =
@@ -369,9 +376,11 @@ void add_model_commands(CLI::App& root, Action& chosen) {
         verb.add_option("PROJECT", a.project, "The project file")->required();
         verb.add_option("MODEL_A", a.model_a, "Id or name")->required();
         verb.add_option("MODEL_B", a.model_b, "Id or name")->required();
+        verb.add_option("--out", a.out, "F.csv: also write what both measure, a row for each");
       },
       run_compare);
   add_model_study_commands(noun, chosen);
+  add_model_curve_command(noun, chosen);
 }
 
 }  // namespace trocar::app

@@ -8,6 +8,7 @@
 #include "engine/figure/field_figure.h"
 #include "engine/learning/learning_history.h"
 #include "engine/learning/seed_study.h"
+#include "engine/workbench/jobs/field_job.h"
 #include "engine/workbench/jobs/train_job.h"
 
 namespace trocar::app {
@@ -82,15 +83,16 @@ std::string csv_of(const Json& rows) {
 void bind_seeds(CLI::App& verb, StudyArguments& arguments) {
   bind_study(verb, arguments);
   verb.add_option("--layer", arguments.layer, "Of which mean and spread are taken")->capture_default_str();
-  verb.add_option("--mean", arguments.mean, "F.svg, F.csv or F.npy: the layer's mean over the seeds");
+  verb.add_option("--mean", arguments.mean, "F, as of `field export`: the layer's mean over the seeds");
   verb.add_option("--spread", arguments.spread, "Likewise: its standard deviation");
 }
 
 /// A field over the seeds as a file; nothing for an empty path.
 Status save_study(const learning::Field& field, const std::string& path, const StudyArguments& arguments) {
   if (path.empty()) return {};
-  TROCAR_RETURN_IF_ERROR(check_output(path, arguments.training.project, {".svg", ".csv", ".npy"}));
-  return figure::save_field(field, figure::suggested_options(field), path);
+  TROCAR_RETURN_IF_ERROR(
+      check_output(path, arguments.training.project, {".png", ".svg", ".pdf", ".csv", ".npy", ".vti", ".h5"}));
+  return workbench::write_field(field, figure::suggested_options(field), path);
 }
 
 Result<Answer> run_seeds(const StudyArguments& arguments, Console& console) {

@@ -6,5 +6,7 @@
 namespace trocar::app {
 
 void add_model_study_commands(CLI::App& noun, Action& chosen);
+/// `curve`.
+void add_model_curve_command(CLI::App& noun, Action& chosen);
 
 }  // namespace trocar::app

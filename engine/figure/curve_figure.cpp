@@ -131,7 +131,8 @@ double left_of(const Canvas& canvas, const CurveFigure& figure, const Sizes& siz
   return std::ceil(widest + (kLabelGap + kPaperMargin) * sizes.unit);
 }
 
-void draw_grid(Canvas& canvas, const Place& place, bool times) {
+/// With numbers and the name of the axis below, if this is the lowest plot.
+void draw_grid(Canvas& canvas, const Place& place, bool lowest, const std::string& axis) {
   const TextStyle style{place.sizes.tick, Weight::kRegular, kQuiet, Align::kRight};
   for (std::size_t i = 0; i < place.values.ticks.size(); ++i) {
     const double y = place.at({place.time.low, place.values.ticks[i]}).y;
@@ -143,10 +144,10 @@ void draw_grid(Canvas& canvas, const Place& place, bool times) {
   for (std::size_t i = 0; i < place.time.ticks.size(); ++i) {
     const double x = place.at({place.time.ticks[i], place.values.low}).x;
     canvas.line({x, place.y}, {x, place.y + place.h}, kGrid, place.sizes.thin);
-    if (times) canvas.text({x, place.y + place.h + 17.0 * place.unit}, place.time.labels[i], below);
+    if (lowest) canvas.text({x, place.y + place.h + 17.0 * place.unit}, place.time.labels[i], below);
   }
-  if (times) {
-    canvas.text({place.x + 0.5 * place.w, place.y + place.h + 36.0 * place.unit}, "time, s", below);
+  if (lowest) {
+    canvas.text({place.x + 0.5 * place.w, place.y + place.h + 36.0 * place.unit}, axis, below);
   }
 }
 
@@ -225,7 +226,7 @@ void draw_lines(Canvas& canvas, const CurvePlot& shown, const Place& place) {
 /// Above the plot: title and unit on the left, the lines' names on the right.
 void draw_heading(Canvas& canvas, const CurvePlot& shown, const Place& place) {
   const double y = place.y - 8.0 * place.unit;
-  canvas.text({place.x, y}, fmt::format("{}, {}", shown.title, shown.unit),
+  canvas.text({place.x, y}, shown.unit.empty() ? shown.title : fmt::format("{}, {}", shown.title, shown.unit),
               {place.sizes.heading, Weight::kSemiBold, kInk, Align::kLeft});
   double x = place.x + place.w;
   const TextStyle style{place.sizes.tick, Weight::kRegular, kInk, Align::kRight};
@@ -253,7 +254,7 @@ void draw(Canvas& canvas, const CurveFigure& figure, const Sizes& sizes) {
               title);
   for (std::size_t i = 0; i < figure.plots.size(); ++i) {
     const Place place = place_of(figure, i, sizes);
-    draw_grid(canvas, place, i + 1 == figure.plots.size());
+    draw_grid(canvas, place, i + 1 == figure.plots.size(), figure.axis);
     for (const plot::Band& limit : figure.plots[i].limits) {
       draw_limit(canvas, place, limit.high, true, limit.label);
       draw_limit(canvas, place, limit.low, false, limit.label);
@@ -295,7 +296,7 @@ Status save_curves(const CurveFigure& figure, const std::filesystem::path& path)
 }
 
 Status save_curves_csv(const CurveFigure& figure, const std::filesystem::path& path) {
-  std::string text = "t_s,curve,unit,line,value\n";
+  std::string text = figure.axis_column + ",curve,unit,line,value\n";
   for (const CurvePlot& shown : figure.plots) {
     for (const FigureLine& line : shown.lines) {
       const plot::Curve& curve = *line.curve;

@@ -32,6 +32,8 @@ struct CurvePlot {
 struct CurveFigure {
   std::string title;
   std::vector<CurvePlot> plots;
+  std::string axis = "time, s";     ///< What runs to the right; with another, `begin_s` and `end_s` are in its unit …
+  std::string axis_column = "t_s";  ///< … and so is the column of the CSV.
   double begin_s = 0.0;
   double end_s = 1.0;
   int width_px = 1000;         ///< At least 480.
@@ -42,8 +44,8 @@ struct CurveFigure {
 Image draw_curves(const CurveFigure& figure);
 /// As .svg or .pdf, by the extension of `path`. Errors: kInvalidArgument for another, kIo.
 Status save_curves(const CurveFigure& figure, const std::filesystem::path& path);
-/// Every sample between begin and end as a row "t_s,curve,unit,line,value"; the shortest text that reads back as the
-/// same number, none in a gap. Errors: kIo.
+/// Every sample between begin and end as a row "t_s,curve,unit,line,value" (the first: `axis_column`); the shortest
+/// text that reads back as the same number, none in a gap. Errors: kIo.
 Status save_curves_csv(const CurveFigure& figure, const std::filesystem::path& path);
 
 }  // namespace trocar::figure

@@ -57,6 +57,27 @@ class Studies(CommandLineTest):
         changed = self.answer("model", "compare", self.project, "seed 5", "seed 6")["policy_changed"]
         self.assertEqual(sum(1 for value in policy if value), changed)
 
+    def test_measures_and_learning_curves_are_files(self):
+        measures, curve = self.folder / "measures.csv", self.folder / "curve.csv"
+        compared = self.answer("model", "compare", self.project, "seed 5", "A exact", "--out", measures)
+        with open(measures, newline="") as file:
+            rows = {row["measure"]: row for row in csv.DictReader(file)}
+        self.assertEqual(float(rows["mean_margin"]["a"]), compared["mean_margin"]["a"])
+        self.assertEqual(int(rows["arrived"]["b"]), compared["success"]["b"])
+        self.assertEqual((rows["seed"]["a"], rows["seed"]["b"]), ("5", ""))
+        self.answer("model", "curve", self.project, "seed 5", "seed 6", "--out", curve)
+        learned = self.answer("model", "epoch", self.project, "seed 6")["curve"]
+        with open(curve, newline="") as file:
+            drawn = [row for row in csv.DictReader(file) if row["line"] == "seed 6"]
+        self.assertEqual([float(row["value"]) for row in drawn], learned)
+        self.assertEqual([float(row["epoch"]) for row in drawn], [float(i + 1) for i in range(len(learned))])
+        self.answer("model", "curve", self.project, "seed 5", "--preset", "column", "--out", self.folder / "curve.pdf")
+        self.assertTrue((self.folder / "curve.pdf").read_bytes().startswith(b"%PDF"))
+        spread = self.folder / "spread.png"
+        self.answer("model", "seeds", self.project, "Expert", "--method", "eg-maxent", "--episodes", "500", "--seeds", "2",
+                    "--spread", spread)
+        self.assertTrue(spread.read_bytes().startswith(b"\x89PNG"))
+
     def test_a_mask_leaves_its_cells_alone(self):
         whole = self.exported("A exact", "--layer", "value")
         safe = self.exported("A exact", "--layer", "safe")

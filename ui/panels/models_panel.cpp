@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/learning/comparison_csv.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/colour_legend.h"
@@ -226,6 +227,11 @@ Requests ModelsPanel::draw(Ui& ui, const WorkbenchState& state) {
   wrapped_text(ui, policy_change_words(comparison, state.insight->field->grid.cell_count()), ui.theme().text);
   const std::string changed = policy_change_words(comparison, state.insight->field->grid.cell_count());
   note_item(ui, "text", "Policy change", changed, {});
+  if (button(ui, "Copy measures",
+             {.icon = icon::kCopy, .help = "As CSV, with all digits", .style = ButtonStyle::kQuiet})) {
+    requests.emplace_back(CopyText{
+        learning::comparison_csv(*state.insight->entry->model, *state.insight->second->entry->model, comparison)});
+  }
   comparison_table(ui, *state.insight);
   return requests;
 }

@@ -86,6 +86,17 @@ bool is_drawn(const std::filesystem::path& path) {
   return extension == ".png" || extension == ".svg" || extension == ".pdf";
 }
 
+Status write_field(const learning::Field& field, const figure::FieldFigureOptions& options,
+                   const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  if (extension == ".png") {
+    return media::write_png(path, figure::draw_field(field, options),
+                            options.print ? std::optional(options.print->dpi) : std::nullopt);
+  }
+  if (extension == ".h5" || extension == ".hdf5") return exchange::write_field_hdf5(field, {}, path);
+  return figure::save_field(field, options, path);
+}
+
 Result<learning::Field> export_field(const FieldExport& request) {
   const std::string extension = request.path.extension().string();
   TROCAR_ASSIGN_OR_RETURN(learning::Field field, wanted_field(request));

@@ -32,6 +32,9 @@ figure::FieldFigureOptions figure_options(const ModelEntry& entry, const learnin
 /// how many pixels an inch has where the look has a preset or a resolution. Returns what was written.
 /// Threads: any. Errors: kInvalidArgument (slice, extension, preset, models of different lattices), kUnsupported, kIo.
 Result<learning::Field> export_field(const FieldExport& request);
+/// Any field as such a file, without a model; a picture of `options`. Errors: likewise.
+Status write_field(const learning::Field& field, const figure::FieldFigureOptions& options,
+                   const std::filesystem::path& path);
 /// Whether such a file is drawn, and so has a look.
 bool is_drawn(const std::filesystem::path& path);
 
