@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "app/commands/rollout_commands.h"
@@ -10,6 +11,7 @@
 #include "engine/learning/rollout_table.h"
 #include "engine/learning/start_file.h"
 #include "engine/learning/start_set.h"
+#include "engine/statistics/proportion.h"
 #include "engine/workbench/rolling.h"
 
 namespace trocar::app {
@@ -185,6 +187,11 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
   answer.json = {{"starts", starts.size()}, {"wins_a", paired.wins_a},       {"wins_b", paired.wins_b},
                  {"ties", paired.ties},     {"mcnemar_p", paired.mcnemar_p}, {"model_a", a->id.value},
                  {"model_b", b->id.value}};
+  const int pairs = paired.wins_a + paired.wins_b + paired.ties;
+  const auto interval = statistics::paired_difference_interval(paired.wins_a, paired.wins_b, pairs);
+  answer.json["difference"] = static_cast<double>(paired.wins_b - paired.wins_a) / std::max(pairs, 1);
+  answer.json["difference_low"] = interval.low;
+  answer.json["difference_high"] = interval.high;
   answer.summary =
       fmt::format("only A arrives {}, only B {}, ties {}, McNemar p {}", paired.wins_a, paired.wins_b, paired.ties,
                   paired.mcnemar_p < 0.001 ? std::string("< 0.001") : fmt::format("= {:.3g}", paired.mcnemar_p));

@@ -32,4 +32,14 @@ double mcnemar_exact_p(int only_a, int only_b) {
   return std::min(1.0, 2.0 * tail);
 }
 
+Interval paired_difference_interval(int only_a, int only_b, int pairs, double z) {
+  if (pairs <= 0) return {-1.0, 1.0};
+  const double a = only_a + 0.5;
+  const double b = only_b + 0.5;
+  const double n = pairs + 2.0;
+  const double difference = (b - a) / n;
+  const double error = std::sqrt((a + b) - (b - a) * (b - a) / n) / n;
+  return {std::max(difference - z * error, -1.0), std::min(difference + z * error, 1.0)};
+}
+
 }  // namespace trocar::statistics

@@ -18,4 +18,9 @@ Interval wilson_interval(std::int64_t successes, std::int64_t count, double z = 
 /// Precondition: neither is negative.
 double mcnemar_exact_p(int only_a, int only_b);
 
+/// Share of B less share of A over the same `pairs`, of which `only_a` and `only_b` succeeded with one alone: Wald's
+/// interval with half a pair added to each of the four outcomes (Agresti and Min 2005). −1 … 1 where there are no
+/// pairs.
+Interval paired_difference_interval(int only_a, int only_b, int pairs, double z = 1.959963984540054);
+
 }  // namespace trocar::statistics

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "engine/statistics/proportion.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/rollout_parts.h"
@@ -36,6 +37,12 @@ void draw_pairs(Ui& ui, std::string_view name, const learning::PairedComparison&
   outcome_row(ui, "A", "Only A arrives", paired.wins_a, all, ui.theme().accent);
   outcome_row(ui, "B", "Only B", paired.wins_b, all, ui.theme().warning);
   outcome_row(ui, "=", "Ties", paired.ties, all, ui.theme().text_dim);
+  if (all > 0) {
+    const auto interval = statistics::paired_difference_interval(paired.wins_a, paired.wins_b, all);
+    fact(ui, "B − A",
+         fmt::format("{} points, 95 %: {} … {}", change_words(arrival_share(paired.wins_b - paired.wins_a, all)),
+                     change_words(interval.low), change_words(interval.high)));
+  }
   const std::string p = p_words(paired.mcnemar_p);
   fact(ui, "McNemar, exact", p);
   note_item(ui, "text", "McNemar", p, {});
@@ -46,7 +53,7 @@ void draw_differences(Ui& ui, const learning::ModelComparison& comparison) {
   heading(ui, "Share that arrives");
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchSame;
   if (!ImGui::BeginTable("differences", 4, kFlags)) return;
-  for (const char* name : {"Start", "A", "B", "B − A"}) ImGui::TableSetupColumn(name);
+  for (const char* name : {"Start", "A", "B", "B − A, points"}) ImGui::TableSetupColumn(name);
   ImGui::TableHeadersRow();
   const auto row = [](const std::string& name, const RolloutSummary& a, const RolloutSummary& b) {
     ImGui::TableNextRow();

@@ -45,3 +45,18 @@ TEST_CASE("Wilson's interval stays in 0 … 1 and holds the observed share") {
     if (count > 0) RC_ASSERT(interval.high >= static_cast<double>(successes) / count);
   }));
 }
+
+TEST_CASE(
+    "the interval of a paired difference is Agresti and Min's, mirrors with the models and narrows with the pairs") {
+  // By hand: b = 20.5, c = 10.5, n = 102; (10 ± 1.959964 sqrt(31 − 100 / 102)) / 102.
+  const Interval interval = paired_difference_interval(10, 20, 100);
+  CHECK(interval.low == doctest::Approx(-0.0072424).epsilon(1e-4));
+  CHECK(interval.high == doctest::Approx(0.2033208).epsilon(1e-4));
+  const Interval mirrored = paired_difference_interval(20, 10, 100);
+  CHECK(mirrored.low == doctest::Approx(-interval.high));
+  CHECK(mirrored.high == doctest::Approx(-interval.low));
+  const Interval narrow = paired_difference_interval(100, 200, 1000);
+  CHECK(narrow.high - narrow.low < interval.high - interval.low);
+  CHECK(paired_difference_interval(0, 3, 3).high == 1.0);
+  CHECK(paired_difference_interval(0, 0, 0).low == -1.0);
+}
