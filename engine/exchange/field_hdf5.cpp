@@ -41,7 +41,7 @@ TreeNode axis_node(const spatial::Grid& grid, int axis) {
 }
 
 Status write_arrays(const learning::Field& field, const std::map<std::string, std::string>& more,
-             const std::filesystem::path& path) {
+                    const std::filesystem::path& path) {
   TROCAR_ASSIGN_OR_RETURN(const std::filesystem::path target, replaceable_file(path));
   NewFile file(target);
   TROCAR_ASSIGN_OR_RETURN(Hdf5Writer writer, Hdf5Writer::create(file.path()));

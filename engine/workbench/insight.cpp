@@ -148,8 +148,8 @@ void InsightMaker::add_second(const InsightRequest& request, ModelInsight& insig
     second_listed_.starts = insight.starts;
     second_listed_.brief = listed_.brief;
     const int count = static_cast<int>(insight.listed->size());
-    second_listed_.rollouts =
-        std::make_shared<const std::vector<learning::Rollout>>(sample_rollouts(b, *second.policy, insight.starts, count));
+    second_listed_.rollouts = std::make_shared<const std::vector<learning::Rollout>>(
+        sample_rollouts(b, *second.policy, insight.starts, count));
   }
   second.listed = second_listed_.rollouts;
   if (insight.selected) {
