@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/console.h"
+#include "app/crash_report.h"
 #include "app/options.h"
 
 namespace trocar::app {
@@ -51,6 +52,7 @@ int run(const std::vector<std::string>& arguments) {
 }  // namespace trocar::app
 
 int main(int argc, char** argv) {
+  trocar::app::report_crashes("trocar");
   // Libraries may throw what no module caught (out of memory); it is said in one sentence like any other error.
   try {
     return trocar::app::run({argv + 1, argv + argc});

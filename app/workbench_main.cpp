@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/crash_report.h"
 #include "engine/workbench/workbench.h"
 #include "ui/application.h"
 #include "ui/settings.h"
@@ -73,6 +74,7 @@ int run_window(const char* project) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  trocar::app::report_crashes("trocar-workbench");
   const std::string_view first = argc > 1 ? argv[1] : "";
   if (first == "--help" || first == "-h") {
     fmt::print("{}", kUsage);

@@ -28,6 +28,7 @@ struct RecordArguments {
   std::string replay;
   double time_limit_s = 0.0;  ///< 0: as the operator has it.
   std::string from_cell;
+  std::string from_segment = "A";
   int grid = 22;
   double from_s = -1.0;
   double to_s = -1.0;
@@ -60,6 +61,10 @@ void bind_keys(CLI::App& verb, RecordArguments& arguments) {
                   "I,J,K: lead the left tool into this cell of the lattice before it begins; operator keys");
   verb.add_option("--grid", arguments.grid, "Cells a side of that lattice")
       ->check(CLI::Range(4, 176))
+      ->capture_default_str();
+  verb.add_option("--from-segment", arguments.from_segment,
+                  "Whose beginning the world is at: in C a scripted expert has put the block into the left jaws")
+      ->check(CLI::IsMember({"A", "C"}))
       ->capture_default_str();
   verb.add_option("--from", arguments.from_s, "Seconds: replace what is from here …; with --replay")
       ->check(CLI::NonNegativeNumber);
@@ -146,9 +151,14 @@ Result<workbench::RecordByHand> take_of(const RecordArguments& arguments, const 
   if (punches && (arguments.from_s < 0.0 || arguments.to_s <= arguments.from_s || arguments.replay.empty())) {
     return fail(ErrorCode::kInvalidArgument, "to replace a part, say which: --replay DEMO --from S --to S");
   }
+  const demonstration::Segment segment =
+      arguments.from_segment == "C" ? demonstration::Segment::kC : demonstration::Segment::kA;
+  if (arguments.from_cell.empty() && segment != demonstration::Segment::kA) {
+    return fail(ErrorCode::kInvalidArgument, "--from-segment goes with --from-cell");
+  }
   if (!arguments.from_cell.empty()) {
     TROCAR_ASSIGN_OR_RETURN(const spatial::CellCoordinates cell, coordinates_from(arguments.from_cell));
-    request.from = workbench::FromCell{cell, arguments.grid};
+    request.from = workbench::FromCell{cell, arguments.grid, segment};
   }
   if (punches) request.punch = workbench::TimeSpan{arguments.from_s, arguments.to_s};
   if (arguments.replay.empty()) return request;

@@ -51,10 +51,12 @@ Result<trial::PhysicsRollouts> kept_rollouts(const PhysicsArguments& arguments, 
   return kept;
 }
 
-Result<Answer> run_physics_command(const PhysicsArguments& arguments, Console& console) {
+Result<Answer> run_physics_command(const PhysicsArguments& typed, Console& console) {
+  PhysicsArguments arguments = typed;
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".csv"}));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
+  arguments.options = workbench::physics_options_of(*file.project(), *entry, arguments.options);
   const learning::Model& model = *entry->model;
   TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts, learning::read_starts(arguments.starts, model));
   warn_if_stale(*file.project(), *entry, console);
@@ -69,7 +71,7 @@ Result<Answer> run_physics_command(const PhysicsArguments& arguments, Console& c
     return fail(ErrorCode::kCancelled, fmt::format("stopped after {} of {} rollouts, which are kept; --resume goes on",
                                                    finished, starts.size()));
   }
-  std::array<int, 6> ends{};
+  std::array<int, trial::kPhysicsEnds> ends{};
   for (const auto& rollout : rollouts) ++ends[static_cast<std::size_t>(rollout->end)];
   const workbench::PhysicsView view =
       workbench::physics_view(entry, arguments.starts, starts, arguments.options, std::move(rollouts));

@@ -1,7 +1,9 @@
-/// How far a job has come, and whether somebody asked it to stop.
+/// How far a job has come, what it measures on its way, and whether somebody asked it to stop.
 #pragma once
 
 #include <atomic>
+#include <functional>
+#include <utility>
 
 namespace trocar {
 
@@ -15,9 +17,18 @@ class Progress {
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
+  /// `watcher` is called in the job's thread with every figure of `tell()`; it must not block. Call it before the job
+  /// begins.
+  void watch(std::function<void(double)> watcher) { watcher_ = std::move(watcher); }
+  /// A figure by which the job can be watched, such as the mismatch after an epoch of a training.
+  void tell(double figure) const {
+    if (watcher_) watcher_(figure);
+  }
+
  private:
   std::atomic<double> fraction_{0.0};
   std::atomic<bool> cancelled_{false};
+  std::function<void(double)> watcher_;
 };
 
 }  // namespace trocar

@@ -137,6 +137,7 @@ Status train_eg_maxent(Model& model, int epochs, Progress& progress) {
       mismatch += trainer.update_reward();
     }
     model.curve.push_back(mismatch / in_epoch);
+    progress.tell(model.curve.back());
     if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the training was cancelled");
     progress.set(static_cast<double>(episode) / model.options.episodes);
   }

@@ -95,6 +95,7 @@ Status optimise(Model& model, const std::vector<double>& guess, int iterations, 
   double first = 0.0;
   const auto each_iteration = [&](double gradient) {
     model.curve.push_back(objective.mismatch());
+    progress.tell(model.curve.back());
     // Far from the optimum a step gains about gradient²: the solves need not be much better than that.
     tolerance = std::clamp(1e-3 * gradient * gradient, kTightestSolve, kLoosestSolve);
     first = std::max(first, gradient);

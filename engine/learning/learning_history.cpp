@@ -12,6 +12,11 @@ int epoch_count(const Model& model) {
   return static_cast<int>(model.curve.size());
 }
 
+int expected_epochs(const TrainOptions& options) {
+  if (options.method == Method::kExact) return 0;
+  return (options.episodes + kEpisodesPerEpoch - 1) / kEpisodesPerEpoch;
+}
+
 Result<Model> model_at_epoch(const Model& model, int epoch, Progress& progress) {
   const int wanted = std::clamp(epoch, 0, epoch_count(model));
   if (wanted == epoch_count(model)) return model;

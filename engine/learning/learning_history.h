@@ -8,6 +8,9 @@ namespace trocar::learning {
 /// Epochs that the training of `model` took: 100 episodes each, or one iteration of the solver each.
 int epoch_count(const Model& model);
 
+/// As `epoch_count` before the training; 0 for a method that ends when it has converged.
+int expected_epochs(const TrainOptions& options);
+
 /// What training with the model's options had learned after `epoch` epochs, by training again that far: every method
 /// gives the same numbers each time, so that nothing of this needs to be stored. Its curve has `epoch` entries.
 ///

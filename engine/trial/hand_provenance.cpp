@@ -60,6 +60,10 @@ Status check(const HandOptions& options) {
   if (drives(ArmSource::kReplay) && options.replay.empty()) {
     return fail(ErrorCode::kInvalidArgument, "there is nothing to replay");
   }
+  if (options.begin_segment && !options.initial_world.empty()) {
+    return fail(ErrorCode::kInvalidArgument,
+                "a take begins in one world: that of a segment, or that of a demonstration");
+  }
   return {};
 }
 

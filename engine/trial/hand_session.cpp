@@ -14,6 +14,7 @@
 #include "engine/trial/sampling.h"
 #include "engine/trial/scripted_assistant.h"
 #include "engine/trial/scripted_user.h"
+#include "engine/trial/segment_world.h"
 #include "engine/trial/skill.h"
 #include "engine/trial/task.h"
 #include "engine/trial/tool_hand.h"
@@ -62,7 +63,16 @@ struct HandSession::Impl {
     if (options.sources[1] == ArmSource::kScripted) {
       scripted[1] = std::make_unique<ScriptedAssistant>(assignment(options.skill), random.child(2));
     }
-    if (options.lead_in.empty()) get_ready();
+    if (options.begin_segment) {
+      TransferOptions transfer;
+      transfer.seed = options.seed;
+      transfer.block = options.block;
+      transfer.goal = options.goal;
+      // The options of the take were checked, which are those of the transfer.
+      approach = std::make_unique<SegmentApproach>(SegmentApproach::create(*options.begin_segment, transfer).value());
+    } else if (options.lead_in.empty()) {
+      get_ready();
+    }
   }
 
   std::array<ToolCommand, 2> commands_now() const {
@@ -80,7 +90,19 @@ struct HandSession::Impl {
     world.step();
   }
 
+  /// By a scripted expert, to where the segment begins. What never comes there is no take.
+  void approach_segment() {
+    approach->step(kLeadInPerStep * kTicksPerSample);
+    if (approach->failed()) phase = Phase::kEnded;
+    if (!approach->there()) return;
+    const Status restored = world.restore({approach->world()});
+    TROCAR_CHECK(restored.has_value());
+    approach.reset();
+    get_ready();
+  }
+
   void lead_in() {
+    if (approach) return approach_segment();
     for (int i = 0; i < kLeadInPerStep && lead_next < options.lead_in.size(); ++i, ++lead_next) {
       from = to;
       to = options.lead_in[lead_next];
@@ -290,6 +312,7 @@ struct HandSession::Impl {
   std::array<ToolCommand, 2> from;
   std::array<ToolCommand, 2> to;
   Phase phase = Phase::kLeadIn;
+  std::unique_ptr<SegmentApproach> approach;
   std::size_t lead_next = 0;
   std::size_t replay_next = 0;
   int sub_tick = 0;  ///< Of the sample that is under way.

@@ -40,6 +40,8 @@ struct HandOptions {
 
   /// Where the take begins, if not in a new world: a world, and the setpoints that lead from it to the beginning.
   std::string initial_world;
+  /// A scripted expert plays until this segment begins; not together with `initial_world`.
+  std::optional<demonstration::Segment> begin_segment;
   Setpoints lead_in;
   /// What replayed arms do from the beginning of the recording on; they hold after its end. All arms are led to its
   /// first setpoints before.
@@ -53,7 +55,7 @@ struct HandOptions {
 class HandSession final : public LiveSession {
  public:
   /// Errors: kInvalidArgument for a block or goal outside of 0 … 5, times that are negative or not finite, no arm that
-  /// the operator drives, a replay without setpoints; those of `simulation::World::restore`.
+  /// the operator drives, a replay without setpoints, or two places to begin in; those of `simulation::World::restore`.
   static Result<std::unique_ptr<HandSession>> create(HandOptions options);
   ~HandSession() override;
 

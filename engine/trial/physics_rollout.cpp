@@ -7,12 +7,14 @@
 #include <cmath>
 #include <thread>
 
+#include "engine/core/check.h"
 #include "engine/core/random.h"
 #include "engine/demonstration/recording.h"
 #include "engine/learning/rollout.h"
 #include "engine/simulation/world.h"
 #include "engine/trial/arm_drive.h"
 #include "engine/trial/sampling.h"
+#include "engine/trial/segment_world.h"
 
 namespace trocar::trial {
 namespace {
@@ -31,12 +33,23 @@ constexpr double kSamplePeriod_s = 1.0 / demonstration::kSampleRate_hz;
 /// The world with the left tool in it, one sample at a time.
 class Driven {
  public:
-  explicit Driven(const PhysicsOptions& options) : world_(world_options(options)), setpoint_(setpoint()) {
+  Driven(const PhysicsOptions& options, const std::string& world) : world_(world_options(options)) {
+    if (!world.empty()) {
+      const Status restored = world_.restore({world});
+      TROCAR_CHECK(restored.has_value());
+      carried_ = options.block;
+    }
+    setpoint_ = setpoint();
     drive_.emplace(ArmSide::kLeft, setpoint_);
     wish_ = setpoint_;
   }
 
   const simulation::WorldState& state() const { return world_.state(); }
+  /// Nothing was in the jaws, or it still is.
+  bool holds() const {
+    return !carried_ || state().blocks[static_cast<std::size_t>(*carried_)].held_by(ArmSide::kLeft);
+  }
+  std::optional<int> carried() const { return carried_; }
   Eigen::Vector3d tip() const { return state().arm(ArmSide::kLeft).X_WT.p; }
   double seconds() const { return state().tick.seconds(); }
   double length_m() const { return length_m_; }
@@ -51,7 +64,7 @@ class Driven {
       sample();
     }
     for (int i = 0; i < kMostWaits && (tip() - p_WT).norm() > kNear_m; ++i) {
-      if (!drive_->refusal().empty()) return false;
+      if (!drive_->refusal().empty() || !holds()) return false;
       sample();
     }
     return (tip() - p_WT).norm() <= kNear_m;
@@ -79,6 +92,7 @@ class Driven {
   }
 
   simulation::World world_;
+  std::optional<int> carried_;
   ToolCommand setpoint_;
   ToolCommand wish_;
   std::optional<ArmDrive> drive_;
@@ -133,7 +147,9 @@ PhysicsEnd follow(const learning::Model& model, const std::vector<std::uint8_t>&
     }
     if (driven.seconds() >= end_s) return PhysicsEnd::kTimeUp;
     const auto next = model.grid.neighbour(*cell, static_cast<spatial::Action>(action));
-    if (!driven.go(model.grid.centre(*next), kSamplesPerCell)) return PhysicsEnd::kOutOfReach;
+    const bool reached = driven.go(model.grid.centre(*next), kSamplesPerCell);
+    if (!driven.holds()) return PhysicsEnd::kDrops;
+    if (!reached) return PhysicsEnd::kOutOfReach;
     ++steps;
   }
 }
@@ -160,17 +176,17 @@ Status check(const learning::Model& model, const std::vector<CellIndex>& starts,
 }  // namespace
 
 std::string_view to_string(PhysicsEnd end) {
-  constexpr std::array<std::string_view, 6> kNames{"arrives",      "loops",  "dead end", "outside the safe set",
-                                                   "out of reach", "time up"};
+  constexpr std::array<std::string_view, kPhysicsEnds> kNames{
+      "arrives", "loops", "dead end", "outside the safe set", "out of reach", "time up", "drops the block"};
   return kNames[static_cast<std::size_t>(end)];
 }
 
 PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<std::uint8_t>& policy, CellIndex start,
-                               const PhysicsOptions& options) {
-  Driven driven(options);
+                               const PhysicsOptions& options, const std::string& world) {
+  Driven driven(options, world);
   PhysicsRollout result;
-  if (!lead(driven, place_of(model, start, options))) {
-    result.end = PhysicsEnd::kOutOfReach;
+  if (!lead(driven, place_of(model, start, options)) || !driven.holds()) {
+    result.end = driven.holds() ? PhysicsEnd::kOutOfReach : PhysicsEnd::kDrops;
     result.state_hash = driven.hash();
     return result;
   }
@@ -182,6 +198,7 @@ PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<s
   result.length_m = driven.length_m();
   const Places after = blocks_of(driven.state());
   for (std::size_t i = 0; i < before.size(); ++i) {
+    if (driven.carried() == static_cast<int>(i)) continue;
     result.pushed_m = std::max(result.pushed_m, (after[i] - before[i]).norm());
   }
   result.state_hash = driven.hash();
@@ -195,6 +212,14 @@ int finished(const PhysicsRollouts& rollouts) {
 Status run_physics(const learning::Model& model, const std::vector<CellIndex>& starts, const PhysicsOptions& options,
                    PhysicsRollouts& rollouts, Progress& progress) {
   TROCAR_RETURN_IF_ERROR(check(model, starts, options, rollouts));
+  TransferOptions transfer;
+  transfer.seed = options.seed;
+  transfer.block = options.block;
+  transfer.goal = options.goal;
+  const Result<std::string> world = segment_world(options.segment, transfer, progress);
+  // Stopped before the first: nothing was run, which is no error.
+  if (!world && world.error().code() == ErrorCode::kCancelled) return {};
+  if (!world) return tl::unexpected(world.error());
   const std::vector<std::uint8_t> policy = learning::greedy_policy(model);
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < rollouts.size(); ++i) {
@@ -206,7 +231,7 @@ Status run_physics(const learning::Model& model, const std::vector<CellIndex>& s
     while (!progress.cancelled()) {
       const std::size_t at = next.fetch_add(1);
       if (at >= missing.size()) return;
-      rollouts[missing[at]] = physics_rollout(model, policy, starts[missing[at]], options);
+      rollouts[missing[at]] = physics_rollout(model, policy, starts[missing[at]], options, *world);
       progress.set(static_cast<double>(done.fetch_add(1) + 1) / static_cast<double>(rollouts.size()));
     }
   };

@@ -10,35 +10,43 @@
 
 #include "engine/core/progress.h"
 #include "engine/core/result.h"
+#include "engine/demonstration/recording.h"
 #include "engine/learning/model.h"
 
 namespace trocar::trial {
 
 struct PhysicsOptions {
-  std::uint64_t seed = 1;   ///< Of the blocks' yaw, and of where in its cell a start lies.
+  std::uint64_t seed = 1;  ///< Of the blocks' yaw, and of where in its cell a start lies.
+  /// What the model was learned from. In C the tool carries `block`, which a scripted expert has taken, and a rollout
+  /// that loses it has ended.
+  demonstration::Segment segment = demonstration::Segment::kA;
+  int block = 0;  ///< 0 … 5, likewise `goal`; of C.
+  int goal = 0;
   bool continuous = false;  ///< The start is anywhere in its cell, evenly; else its middle.
   double time_limit_s = 60.0;
   int threads = 2;  ///< 1 … 64; the result does not depend on it.
 };
 
-enum class PhysicsEnd : std::uint8_t { kArrives, kLoops, kDeadEnd, kOutsideSafeSet, kOutOfReach, kTimeUp };
+enum class PhysicsEnd : std::uint8_t { kArrives, kLoops, kDeadEnd, kOutsideSafeSet, kOutOfReach, kTimeUp, kDrops };
+constexpr int kPhysicsEnds = 7;
 std::string_view to_string(PhysicsEnd end);
 
-/// From when the tool has been led to the start. In segment C no block is in the jaws.
+/// From when the tool has been led to the start.
 struct PhysicsRollout {
   PhysicsEnd end = PhysicsEnd::kDeadEnd;
   int steps = 0;  ///< Cells that the policy led through.
   double duration_s = 0.0;
   double length_m = 0.0;         ///< Of the tip's way.
-  double pushed_m = 0.0;         ///< By how much the block that moved most was moved.
+  double pushed_m = 0.0;         ///< By how much the block that moved most was moved; the carried one is left out.
   std::uint64_t state_hash = 0;  ///< Of the world at the end.
   bool operator==(const PhysicsRollout&) const = default;
 };
 
-/// In a new world, with closed jaws, led to the start from above. The policy is asked for the cell that the tool is
-/// measured in; a cell is 1/8 s. The same on every thread.
+/// In a world of its own, led to the start from above with closed jaws. The policy is asked for the cell that the tool
+/// is measured in; a cell is 1/8 s. The same on every thread. `world` is where it begins, of `segment_world`; "": a new
+/// one. Precondition: it is a snapshot of this version.
 PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<std::uint8_t>& policy,
-                               spatial::CellIndex start, const PhysicsOptions& options);
+                               spatial::CellIndex start, const PhysicsOptions& options, const std::string& world = "");
 
 /// One for each start, nothing where none was run yet.
 using PhysicsRollouts = std::vector<std::optional<PhysicsRollout>>;
@@ -46,7 +54,7 @@ int finished(const PhysicsRollouts& rollouts);
 
 /// Runs those that are still missing in `rollouts`. Cancelled it keeps what was finished: called again with that, it
 /// goes on, to the same result. Errors: kInvalidArgument for options out of range, or another count of rollouts than
-/// of starts, or starts outside of the lattice.
+/// of starts, or starts outside of the lattice; those of `segment_world`.
 Status run_physics(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                    const PhysicsOptions& options, PhysicsRollouts& rollouts, Progress& progress);
 

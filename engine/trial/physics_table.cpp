@@ -37,7 +37,7 @@ bool read_hash(std::string_view text, std::uint64_t& value) {
 }
 
 std::optional<PhysicsEnd> end_from(std::string_view text) {
-  for (int i = 0; i <= static_cast<int>(PhysicsEnd::kTimeUp); ++i) {
+  for (int i = 0; i < kPhysicsEnds; ++i) {
     if (to_string(static_cast<PhysicsEnd>(i)) == text) return static_cast<PhysicsEnd>(i);
   }
   return std::nullopt;

@@ -151,6 +151,9 @@ const demonstration::Provenance& TransferSession::provenance() const {
 const std::string& TransferSession::initial_world() const {
   return impl_->initial_world;
 }
+std::string TransferSession::world() const {
+  return impl_->world.snapshot().bytes;
+}
 std::optional<std::string> TransferSession::take_initial_world() {
   if (std::exchange(impl_->initial_world_taken, true)) return std::nullopt;
   return impl_->initial_world;

@@ -45,6 +45,8 @@ class TransferSession final : public LiveSession {
   /// Who made it; `created` is left empty for the caller, who has the clock.
   const demonstration::Provenance& provenance() const;
   const std::string& initial_world() const;
+  /// A snapshot of the world as it is now.
+  std::string world() const;
 
   void step() override;
   bool done() const override;

@@ -224,6 +224,8 @@ struct StopRecording {
 struct FromCell {
   spatial::CellCoordinates cell;
   int grid = 22;
+  /// Whose beginning the world is at: in C the block is in the jaws, as a scripted expert took it.
+  demonstration::Segment segment = demonstration::Segment::kA;
   bool operator==(const FromCell&) const = default;
 };
 /// A person drives live: the simulator runs at once, recording begins after the countdown.

@@ -69,9 +69,10 @@ std::vector<JobView> JobRunner::poll() {
 }
 
 JobView JobRunner::conclude(const Done& done) {
+  const Status applied = done.result && done.result->apply ? done.result->apply() : Status();
+  // Only now: what was applied may have started a job, which moves the list.
   JobView* shown = view(done.id);
   if (shown == nullptr) return {};
-  const Status applied = done.result && done.result->apply ? done.result->apply() : Status();
   if (done.result && applied) {
     shown->state = JobState::kDone;
     shown->fraction = 1.0;

@@ -33,6 +33,17 @@ PhysicsView physics_view(std::shared_ptr<const ModelEntry> entry, std::string st
   return view;
 }
 
+trial::PhysicsOptions physics_options_of(const Project& project, const ModelEntry& entry,
+                                         trial::PhysicsOptions options) {
+  options.segment = entry.segment;
+  if (entry.demonstrations.empty()) return options;
+  const auto shown = project.demonstrations.find(entry.demonstrations.front());
+  if (shown == project.demonstrations.end()) return options;
+  options.block = std::clamp(shown->second->block, 0, peg_board::kBlockCount - 1);
+  options.goal = std::clamp(shown->second->goal, 0, peg_board::kBlockCount - 1);
+  return options;
+}
+
 double steps_taken(const learning::Rollout& rollout, const RolloutSettings& settings) {
   const auto all = static_cast<double>(rollout.cells.size() - 1);
   if (!settings.reach) return all;

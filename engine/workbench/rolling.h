@@ -48,6 +48,11 @@ PhysicsView physics_view(std::shared_ptr<const ModelEntry> entry, std::string st
                          std::vector<spatial::CellIndex> cells, const trial::PhysicsOptions& options,
                          trial::PhysicsRollouts rollouts);
 
+/// `options` with the segment that the model is of, and the block and goal of its first demonstration (0 where that is
+/// not known).
+trial::PhysicsOptions physics_options_of(const Project& project, const ModelEntry& entry,
+                                         trial::PhysicsOptions options);
+
 /// How many steps a rollout has taken where rollouts are drawn: all of them without `RolloutSettings::reach`. As every
 /// step is one cell long, a share of its way is that share of its steps.
 double steps_taken(const learning::Rollout& rollout, const RolloutSettings& settings);

@@ -98,6 +98,7 @@ Result<TakePlan> plan_take(const Project& project, const RecordByHand& request) 
   if (request.from) {
     if (request.punch) return fail(ErrorCode::kInvalidArgument, "a punch-in begins where the span does, not in a cell");
     TROCAR_ASSIGN_OR_RETURN(plan.options.begin_p_WT[0], place_of(*request.from));
+    if (request.from->segment != demonstration::Segment::kA) plan.options.begin_segment = request.from->segment;
   }
   if (!request.replayed.value) {
     if (request.punch) return fail(ErrorCode::kInvalidArgument, "a punch-in needs a demonstration to go into");

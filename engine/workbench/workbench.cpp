@@ -183,6 +183,10 @@ void Workbench::Impl::poll_jobs() {
     }
     if (runner->busy()) dirty = true;
   }
+  if (trainings.poll(jobs.jobs())) {
+    state.training = trainings.running();
+    dirty = true;
+  }
   state.jobs = jobs.jobs();
   std::erase_if(state.jobs, [](const JobView& job) { return job.hidden; });
 }

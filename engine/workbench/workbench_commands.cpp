@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "engine/demonstration/edit_words.h"
+#include "engine/learning/learning_history.h"
 #include "engine/workbench/jobs/field_job.h"
 #include "engine/workbench/jobs/film_job.h"
 #include "engine/workbench/jobs/train_job.h"
@@ -143,7 +144,10 @@ void Workbench::Impl::on(const SetLearning& command) {
 
 void Workbench::Impl::on(const TrainModel& command) {
   if (!project_open()) return;
-  const auto work = [this, command, owner = file, project = state.project](Progress& progress) -> Result<JobResult> {
+  const auto feed = std::make_shared<TrainingFeed>();
+  const auto work = [this, command, feed, owner = file,
+                     project = state.project](Progress& progress) -> Result<JobResult> {
+    progress.watch([feed](double mismatch) { feed->tell(mismatch); });
     auto trained = train_model(*project, command, progress);
     if (!trained) return tl::unexpected(std::move(trained).error());
     auto entry = std::make_shared<const ModelEntry>(std::move(*trained));
@@ -151,7 +155,7 @@ void Workbench::Impl::on(const TrainModel& command) {
     return JobResult{message, [this, entry, owner] { return keep_model(owner, entry); }};
   };
   const std::string name = command.name.empty() ? model_name(command) : command.name;
-  jobs.start("Train " + name, work);
+  trainings.add(feed, jobs.start("Train " + name, work), name, learning::expected_epochs(command.options));
 }
 
 void Workbench::Impl::on(const VerifyReplay& command) {

@@ -180,6 +180,7 @@ struct Workbench::Impl {
   std::vector<std::int64_t> sketches_wanted;  ///< By falling id; those that are there already are gone.
   double last_poll_s = 0.0;
   bool dirty = false;
+  LiveTrainings trainings;
   JobId importing;    // the last import that was asked for
   JobRunner jobs;     // their threads end first
   JobRunner opening;  // a project opens at once, whatever else runs

@@ -47,7 +47,8 @@ void Workbench::Impl::on(const RunMonteCarlo& command) {
 
 void Workbench::Impl::on(const RunPhysics& command) {
   if (!state.insight || !state.insight->entry) return log(Severity::kError, "no model is selected");
-  const auto work = [this, entry = state.insight->entry, starts = state.rollouts.starts, options = command.options,
+  const auto work = [this, entry = state.insight->entry, starts = state.rollouts.starts,
+                     options = physics_options_of(*state.project, *state.insight->entry, command.options),
                      kept = state.physics, owner = file](Progress& progress) mutable -> Result<JobResult> {
     TROCAR_ASSIGN_OR_RETURN(std::vector<spatial::CellIndex> cells, learning::read_starts(starts, *entry->model));
     options.threads = cores();

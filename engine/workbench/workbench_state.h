@@ -20,6 +20,7 @@
 #include "engine/workbench/library.h"
 #include "engine/workbench/live_runner.h"
 #include "engine/workbench/live_trace.h"
+#include "engine/workbench/live_training.h"
 #include "engine/workbench/path_sketch.h"
 #include "engine/workbench/project.h"
 #include "engine/workbench/project_file.h"
@@ -108,6 +109,7 @@ struct WorkbenchState {
   bool insight_pending = false;
   std::shared_ptr<const SeedInsight> seeds;  ///< Of `learning.seeds`; null until worked out.
   bool seeds_pending = false;
+  std::shared_ptr<const TrainingView> training;  ///< The one that runs, null if none has told anything yet.
   /// The last ones; of another model or other starts than are shown now, if they say so.
   std::shared_ptr<const MonteCarloView> monte_carlo;
   std::shared_ptr<const PhysicsView> physics;

@@ -320,6 +320,23 @@ class Outputs(CommandLineTest):
         self.assertTrue(target.read_text().startswith("i,j,k,"))
 
 
+class Crashes(CommandLineTest):
+    def test_the_calls_that_led_to_it_are_printed_and_the_signal_stays_what_it_was(self):
+        """Not under the sanitizers, which print their own."""
+        process = subprocess.Popen([TROCAR, "model", "train", str(self.recorded_project()), "1", "--method", "eg-maxent",
+                                    "--episodes", "10000000"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 60
+        while not Interrupts.catches_interrupts(process.pid) and time.monotonic() < deadline:
+            time.sleep(0.005)
+        process.send_signal(signal.SIGSEGV)
+        _, error = process.communicate(timeout=60)
+        if "AddressSanitizer" in error or "ThreadSanitizer" in error:
+            self.skipTest("sanitized")
+        self.assertEqual(process.returncode, -signal.SIGSEGV)
+        self.assertRegex(error, r"trocar: crashed \(SIGSEGV\)")
+        self.assertIn("main", error)
+
+
 class Interrupts(CommandLineTest):
     """A signal in the middle: exit code 3, no half-written file, an unharmed project."""
 

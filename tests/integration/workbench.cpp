@@ -54,6 +54,36 @@ TEST_CASE("a recorded transfer is in the project, selected, placed and verified"
   CHECK(bench.state().jobs.front().state == JobState::kDone);
 }
 
+TEST_CASE("a training shows its curve while it runs, and leaves none behind when it is stopped") {
+  Bench bench;
+  bench.record();
+  TrainModel train;
+  train.demonstrations = {bench.state().demonstration};
+  train.options = learning::options_of(learning::Preset::kPaper, 22);
+  train.options.episodes = 1'000'000;
+  bench.workbench.post(train);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(kPatience_s);
+  const auto told = [&] { return bench.state().training ? bench.state().training->curve.size() : 0; };
+  std::size_t first = 0;
+  while (std::chrono::steady_clock::now() < deadline && (first == 0 || told() <= first)) {
+    bench.workbench.poll();
+    if (first == 0) first = told();
+  }
+  REQUIRE(bench.state().training);
+  const TrainingView view = *bench.state().training;
+  CHECK(view.epochs == 10'000);
+  CHECK(view.name == "eg-maxent A ε=0.1");
+  // What it tells is the beginning of the curve that the model would have.
+  train.options.episodes = static_cast<int>(100 * view.curve.size());
+  bench.run(CancelJob{view.job});
+  CHECK_FALSE(bench.state().training);
+  CHECK(bench.state().project->models.empty());
+  if (view.curve.size() < 2000) {
+    bench.run(train);
+    CHECK(bench.state().project->models.begin()->second->model->curve == view.curve);
+  }
+}
+
 TEST_CASE("a preview shows what an edit would do, is gone after the edit, and says why one cannot be made") {
   Bench bench;
   bench.record();

@@ -108,7 +108,7 @@ void RolloutRuns::draw_physics(Ui& ui, const WorkbenchState& state, Requests& re
           "It was stopped; Go on takes it up again");
   }
   outcome_row(ui, icon::kVerify, "Arrives", found->arrived, found->finished, ui.theme().good);
-  std::array<int, 6> ends{};
+  std::array<int, trial::kPhysicsEnds> ends{};
   for (const auto& rollout : found->rollouts) {
     if (rollout) ++ends[static_cast<std::size_t>(rollout->end)];
   }

@@ -59,11 +59,7 @@ void draw_parting(Ui& ui, const workbench::ModelInsight& insight) {
 
 /// Why no demonstration can begin there; "" if one can.
 std::string cannot_begin(const WorkbenchState& state) {
-  if (const std::string_view busy = being_recorded(state); !busy.empty()) return std::string(busy);
-  const demonstration::Segment segment = state.insight->entry->segment;
-  if (segment == demonstration::Segment::kA) return "";
-  return fmt::format("Segment {} begins with a block in the jaws; only A begins with them empty",
-                     demonstration::letter(segment));
+  return std::string(being_recorded(state));
 }
 
 }  // namespace
@@ -96,7 +92,10 @@ void draw_selected_rollout(Ui& ui, const WorkbenchState& state, Requests& reques
               .reason = reason,
               .width = std::min(ImGui::GetContentRegionAvail().x, button_width(ui, kLabel, icon::kRecord))})) {
     workbench::RecordByHand take = workbench::another_take(state.last_take);
-    take.from = workbench::FromCell{grid.coordinates(rollout.start), grid.n};
+    take.from = workbench::FromCell{grid.coordinates(rollout.start), grid.n, insight.entry->segment};
+    const trial::PhysicsOptions whose = workbench::physics_options_of(*state.project, *insight.entry, {});
+    take.options.block = whose.block;
+    take.options.goal = whose.goal;
     requests.emplace_back(ShowWorkspace{Workspace::kAuthor});
     requests.emplace_back(ShowPanel{PanelId::kView});
     requests.emplace_back(workbench::Command{take});

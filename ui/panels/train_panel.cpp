@@ -13,6 +13,7 @@
 #include "ui/panels/common.h"
 #include "ui/panels/learning_curve.h"
 #include "ui/panels/model_state.h"
+#include "ui/panels/rollout_parts.h"
 
 namespace trocar::ui {
 namespace {
@@ -190,6 +191,17 @@ void TrainPanel::draw_history(Ui& ui, const WorkbenchState& state, Requests& req
   play(ui, state, requests);
 }
 
+void TrainPanel::draw_running(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  if (!state.training) return;
+  const Scope scope(ui, "Running");
+  ImGui::Dummy({0.0F, ui.px(6)});
+  heading(ui, "Learning now: " + state.training->name);
+  growing_curve(ui, state.training->curve, state.training->epochs, ui.px(120));
+  const auto job = std::find_if(state.jobs.begin(), state.jobs.end(),
+                                [&](const workbench::JobView& each) { return each.id == state.training->job; });
+  if (job != state.jobs.end()) draw_job_under_way(ui, *job, "Leaves no model", requests);
+}
+
 workbench::TrainModel TrainPanel::training(const WorkbenchState& state) const {
   workbench::TrainModel train;
   train.segment = kSegments[static_cast<std::size_t>(segment_)];
@@ -238,6 +250,7 @@ Requests TrainPanel::draw(Ui& ui, const WorkbenchState& state) {
               .style = ButtonStyle::kPrimary})) {
     requests.emplace_back(Command{training(state)});
   }
+  draw_running(ui, state, requests);
   draw_history(ui, state, requests);
   return requests;
 }

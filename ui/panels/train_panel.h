@@ -18,6 +18,8 @@ class TrainPanel final : public Panel {
   void draw_choice(Ui& ui, const WorkbenchState& state);
   void draw_method(Ui& ui);
   void draw_parameters(Ui& ui);
+  /// The curve of the training that runs, and how to stop it.
+  void draw_running(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_history(Ui& ui, const WorkbenchState& state, Requests& requests);
   /// Goes on by an epoch when the last one has been shown.
   void play(Ui& ui, const WorkbenchState& state, Requests& requests);

@@ -47,6 +47,29 @@ TEST_CASE("the second model is chosen, and taken back") {
   CHECK(desk.last<workbench::SetLearning>()->settings.second.value == 0);
 }
 
+TEST_CASE("a training that runs shows its curve so far, and can be stopped") {
+  Desk desk(made_state_with_two_models());
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+3"));
+  CHECK(driver.frames(3));
+  CHECK(text_of(driver.click("Tabs/Train")) == "");
+  CHECK(desk.session->items().find("Train/Running/Learning curve") == nullptr);
+  workbench::TrainingView running{workbench::JobId{7}, "paper A 2", {0.9, 0.7, 0.65}, 100};
+  desk.state.training = std::make_shared<const workbench::TrainingView>(running);
+  desk.state.jobs = {{workbench::JobId{7}, "Train paper A 2", workbench::JobState::kRunning, 0.03, "", false}};
+  CHECK(driver.frames(3));
+  const Item* curve = desk.session->items().find("Train/Running/Learning curve");
+  REQUIRE(curve != nullptr);
+  CHECK(curve->value == "epoch 3 of 100");
+  CHECK(text_of(driver.click("Train/Running/Stop")) == "");
+  REQUIRE(desk.last<workbench::CancelJob>() != nullptr);
+  CHECK(desk.last<workbench::CancelJob>()->id == workbench::JobId{7});
+  running.epochs = 0;  // of a method that ends when it has converged
+  desk.state.training = std::make_shared<const workbench::TrainingView>(running);
+  CHECK(driver.frames(2));
+  CHECK(desk.session->items().find("Train/Running/Learning curve")->value == "epoch 3");
+}
+
 TEST_CASE("both models are asked for in the view, whose halves then say whose they are") {
   Desk desk(made_state_with_two_models());
   Driver driver = desk.driver();

@@ -131,7 +131,7 @@ TEST_CASE("a start that fails says why, and its correction is recorded from ther
   CHECK(text_of(desk.driver().expect_present("Tabs/Timeline", true)) == "");
 }
 
-TEST_CASE("of a model of segment C no take begins in a cell, and it is said why") {
+TEST_CASE("of a model of segment C a take begins with the block in the jaws") {
   workbench::WorkbenchState state = with_a_dead_end();
   auto insight = std::make_shared<workbench::ModelInsight>(*state.insight);
   auto entry = std::make_shared<workbench::ModelEntry>(*insight->entry);
@@ -139,10 +139,11 @@ TEST_CASE("of a model of segment C no take begins in a cell, and it is said why"
   insight->entry = entry;
   state.insight = insight;
   RolloutsDesk desk(state);
-  const auto item = desk.driver().item("Rollouts/Selected/Record a corrective demonstration from here");
-  REQUIRE(item);
-  CHECK_FALSE(item->enabled);
-  CHECK(item->reason.find("block in the jaws") != std::string::npos);
+  desk.click("Rollouts/Selected/Record a corrective demonstration from here");
+  const auto* take = desk.last<workbench::RecordByHand>();
+  REQUIRE(take != nullptr);
+  REQUIRE(take->from);
+  CHECK(take->from->segment == demonstration::Segment::kC);
 }
 
 TEST_CASE("erring at random is asked for as set, and what was stopped says how far it came") {
