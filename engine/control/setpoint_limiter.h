@@ -13,6 +13,9 @@ struct ToolCommand {
   double jaw_rad = 0.0;
 };
 
+/// Finite, and turned by a unit quaternion.
+bool well_formed(const ToolCommand& command);
+
 struct MotionLimits {
   double speed_m_s = 0.25;
   double acceleration_m_s2 = 8.0;
@@ -44,7 +47,14 @@ class SetpointLimiter {
 
   /// The setpoint for the next period. A wish that is out of reach of the limits is approached along a straight line
   /// and braked in time.
-  LimitedCommand next(const ToolCommand& wish);
+  LimitedCommand next(const ToolCommand& wish) { return next(wish, period_s_); }
+  /// The same for a period of another length, where one is cut short. Precondition: positive.
+  LimitedCommand next(const ToolCommand& wish, double period_s);
+  /// The setpoint for the next period where nobody wishes for anything: brakes within the limits and stands.
+  ToolCommand brake() { return brake(period_s_); }
+  ToolCommand brake(double period_s);
+  /// Metres a second: that of the last period.
+  const Eigen::Vector3d& velocity() const { return v_WT_; }
   /// The last setpoint.
   const ToolCommand& setpoint() const { return setpoint_; }
   /// Starts again at rest, for instance where the arm refused the last setpoint.
@@ -53,7 +63,7 @@ class SetpointLimiter {
   std::int64_t hits() const { return hits_; }
 
  private:
-  Eigen::Vector3d next_position(const Eigen::Vector3d& wish, LimitReport& report);
+  Eigen::Vector3d next_position(const Eigen::Vector3d& wish, double period_s, LimitReport& report);
 
   MotionLimits limits_;
   double period_s_;
