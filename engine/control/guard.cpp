@@ -231,6 +231,11 @@ Admitted Guard::admit(const Wish& wish) {
   return admitted;
 }
 
+ToolCommand Guard::rest(double period_s) {
+  engaged_ = false;
+  return limiter_.brake(period_s);
+}
+
 void Guard::refused(const ToolCommand& setpoint) {
   limiter_.restart(setpoint);
   engaged_ = false;

@@ -116,6 +116,8 @@ class Guard {
   void look(const GuardLook& look);
   /// The command for the coming period: the wish where it may pass.
   Admitted admit(const Wish& wish);
+  /// Nobody wishes for anything: the tool brakes and stands, and the next command engages.
+  ToolCommand rest(double period_s);
   /// The arm refused what was admitted (out of reach): it stays where it is, and what comes next engages there.
   void refused(const ToolCommand& setpoint);
   /// Nothing moves until the next first command, for whatever reason of the caller.

@@ -1,0 +1,78 @@
+/// A trial in the simulator: operator, agent and assistant share the arms, each behind the guard, at 1 kHz.
+#pragma once
+
+#include <memory>
+
+#include "engine/control/authority.h"
+#include "engine/trial/live_session.h"
+#include "engine/trial/operator_input.h"
+#include "engine/trial/trial_options.h"
+
+namespace trocar::trial {
+
+/// What of a trial is shown while it runs.
+struct TrialStatus {
+  control::ControlState state = control::ControlState::kReady;
+  bool agent_pedal = false;
+  bool clutch_pedal = false;
+  int agent_presses = 0;
+  bool pedal_stuck = false;
+  Agent::State agent = Agent::State::kIdle;
+  std::string agent_refusal;  ///< Why the agent cannot have the arm now; "" if it can.
+  std::string guard;          ///< Why the guard holds; "" if it does not.
+  double tool_speed_m_s = 0.0;
+  double to_block_m = 0.0;
+  double error_m = 0.0;  ///< From where the tool was told to be to where it is.
+  double delay_s = 0.0;  ///< Of the last message.
+  double segment_s = 0.0;
+  TrialCounts counts;
+};
+
+/// Where the operator's hand and pedals come from, if not from the script.
+struct TrialInputs {
+  OperatorInput* user = nullptr;       ///< Null: the scripted operator of the options' skill.
+  OperatorInput* assistant = nullptr;  ///< Null: the scripted expert.
+};
+
+/// Both arms' inputs are asked every 5 ticks; pedals take effect in the tick in which they arrive, in between too: the
+/// recording then has a sample at that tick, so that a replay of the setpoints is exact. Ends a moment after operator
+/// and assistant have done their part, or after a drop, at the time limit, or when it is stopped. Deterministic with
+/// scripted inputs: the same options give the same samples, hashes and events. Threads: one at a time.
+class SharedControlSession final : public LiveSession {
+ public:
+  /// Errors: kInvalidArgument for a block or goal outside of 0 … 5, a time limit, scale or rate out of range, or a
+  /// shared mode without any agent. `inputs` must outlive the session.
+  static Result<std::unique_ptr<SharedControlSession>> create(TrialOptions options, TrialInputs inputs = {});
+  ~SharedControlSession() override;
+
+  const TrialOptions& options() const;
+  const demonstration::Provenance& provenance() const;
+
+  /// From any other thread as well: takes effect in the next tick.
+  void stop();
+  /// Marks an instant for review.
+  void mark_incident(const std::string& text);
+
+  void step() override;
+  bool done() const override;
+  const simulation::WorldState& state() const override;
+  demonstration::Segment segment() const override;
+  demonstration::Authority authority() const override;
+  demonstration::Outcome outcome() const override;
+  bool placed() const override;
+  std::optional<std::string> take_initial_world() override;
+  std::vector<demonstration::Sample> take_samples() override;
+  std::vector<demonstration::HashMark> take_marks() override;
+
+  TrialStatus trial_status() const;
+  /// When the outcome was decided, from the beginning; nothing if it was not.
+  std::optional<double> completion_s() const;
+  std::vector<TrialEvent> take_events();
+
+ private:
+  struct Impl;
+  explicit SharedControlSession(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace trocar::trial
