@@ -51,7 +51,8 @@ Result<std::vector<double>> read_trace(const std::string& file) {
     if (each.empty()) continue;
     const auto ms = number(each);
     if (!ms || *ms > 1e3 * kLongest_s) {
-      return tl::unexpected(Error(ErrorCode::kCorrupt, fmt::format("line {} is no delay in milliseconds", line)).at(file));
+      return tl::unexpected(
+          Error(ErrorCode::kCorrupt, fmt::format("line {} is no delay in milliseconds", line)).at(file));
     }
     trace.push_back(1e-3 * *ms);
   }
@@ -59,9 +60,8 @@ Result<std::vector<double>> read_trace(const std::string& file) {
   return trace;
 }
 
-constexpr std::array<std::pair<std::string_view, DelayKind>, 3> kSpread{{{"normal", DelayKind::kNormal},
-                                                                         {"lognormal", DelayKind::kLogNormal},
-                                                                         {"ar1", DelayKind::kAutoregressive}}};
+constexpr std::array<std::pair<std::string_view, DelayKind>, 3> kSpread{
+    {{"normal", DelayKind::kNormal}, {"lognormal", DelayKind::kLogNormal}, {"ar1", DelayKind::kAutoregressive}}};
 
 }  // namespace
 

@@ -21,9 +21,9 @@ enum class DelayKind : std::uint8_t {
 struct DelayOptions {
   DelayKind kind = DelayKind::kConstant;
   double mean_s = 0.0;
-  double deviation_s = 0.0;    ///< σ.
-  double correlation = 0.95;   ///< φ of AR(1).
-  double stall_chance = 0.0;   ///< Of each message: lost and sent again, everything behind it waits.
+  double deviation_s = 0.0;   ///< σ.
+  double correlation = 0.95;  ///< φ of AR(1).
+  double stall_chance = 0.0;  ///< Of each message: lost and sent again, everything behind it waits.
   double stall_s = 0.2;
   std::vector<double> trace_s;
   std::uint64_t seed = 1;

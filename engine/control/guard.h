@@ -120,6 +120,8 @@ class Guard {
   ToolCommand rest(double period_s);
   /// The arm refused what was admitted (out of reach): it stays where it is, and what comes next engages there.
   void refused(const ToolCommand& setpoint);
+  /// The last period was cut short at `reached`, between the setpoint before and that admitted for its end.
+  void cut_short(const ToolCommand& reached) { limiter_.rewind(reached); }
   /// Nothing moves until the next first command, for whatever reason of the caller.
   void hold(Rule rule, const std::string& why);
 

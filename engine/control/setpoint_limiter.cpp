@@ -86,6 +86,11 @@ LimitedCommand SetpointLimiter::next(const ToolCommand& wish, double period_s) {
   return {command, report};
 }
 
+void SetpointLimiter::rewind(const ToolCommand& reached) {
+  setpoint_ = reached;
+  last_wish_ = reached.X_WT.p;
+}
+
 ToolCommand SetpointLimiter::brake(double period_s) {
   const double slower = limits_.acceleration_m_s2 * period_s;
   const double speed = v_WT_.norm();

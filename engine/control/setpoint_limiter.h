@@ -59,6 +59,8 @@ class SetpointLimiter {
   const ToolCommand& setpoint() const { return setpoint_; }
   /// Starts again at rest, for instance where the arm refused the last setpoint.
   void restart(const ToolCommand& start);
+  /// The last period was cut short: the tool has only come to `reached`, as fast as before.
+  void rewind(const ToolCommand& reached);
   /// Periods in which any limit was hit.
   std::int64_t hits() const { return hits_; }
 

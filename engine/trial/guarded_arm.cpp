@@ -13,7 +13,8 @@ using control::ToolCommand;
 control::GuardSettings guard_settings() {
   control::GuardSettings settings;
   settings.period_s = 1.0 / demonstration::kSampleRate_hz;
-  // The tip's own radius is not left out: a tool is a few millimetres wide, and the agent comes to the block from above.
+  // The tip's own radius is not left out: a tool is a few millimetres wide, and the agent comes to the block from
+  // above.
   constexpr double kClearance_m = 0.0010;
   for (int i = 0; i < peg_board::kBlockCount; ++i) {
     for (const Eigen::Vector3d& foot : {peg_board::start_peg(i), peg_board::goal_peg(i)}) {

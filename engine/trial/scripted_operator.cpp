@@ -25,7 +25,9 @@ HandSample ScriptedOperator::sample(const simulation::WorldState& seen) {
   ++now_;
   if (hand_.busy()) still_since_ = now_;
   think(eyes_.look(seen));
-  return hand_.step();
+  HandSample hand = hand_.step();
+  hand.agent_pedal = agent_pedal_;
+  return hand;
 }
 
 double ScriptedOperator::step_time_s() const {

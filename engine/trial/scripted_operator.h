@@ -18,6 +18,8 @@ struct Assignment {
   /// If not negative: the grasp is misjudged by up to this, evenly along each axis, instead of by the skill's σ;
   /// metres.
   double aim_jitter_m = -1.0;
+  /// Presses the left pedal where the agent can do it, waits, and goes on from where it rests.
+  bool shares_control = false;
 };
 
 /// Where the hand is to bring the tool, and how exactly.
@@ -55,6 +57,7 @@ class ScriptedOperator : public OperatorInput {
   /// A new step of the task begins.
   void begin_step();
   void grip(double grip_rad, double duration_s) { hand_.grip(grip_rad, duration_s); }
+  void press_agent_pedal(bool down) { agent_pedal_ = down; }
   bool hand_busy() const { return hand_.busy() || hand_.gripping(); }
   /// From what a movement causes to what the operator does about it.
   double loop_s() const { return assignment_.skill.visual_delay_s + assignment_.skill.reaction_s; }
@@ -85,6 +88,7 @@ class ScriptedOperator : public OperatorInput {
   std::int64_t step_began_ = 0;   ///< Sample.
   std::int64_t still_since_ = 0;  ///< Sample since which the hand rests.
   bool moved_ = false;            ///< In this step.
+  bool agent_pedal_ = false;
   int attempts_ = 0;
 };
 

@@ -25,6 +25,13 @@ constexpr double kRelaxTime_s = 1.5;
 constexpr double kPushed_m = 0.0020;
 constexpr double kPushed_rad = 0.25;
 constexpr double kAssistantHolds_s = 0.25;
+/// Where the agent's way is taken to have ended: across from the grasp, and from the hand-off.
+constexpr double kLedThere_m = 0.012;
+constexpr double kPresentable_m = 0.005;
+/// So long people wait for an agent that does not begin, and so long they watch one that has come to rest.
+constexpr double kAgentBegins_s = 0.5;
+constexpr double kResting_m_s = 0.003;
+constexpr int kResting_samples = 40;
 /// A grasp nearer to the lattice's faces than this is avoided if there is another.
 constexpr double kLatticeMargin_m = 0.0004;
 
@@ -51,6 +58,8 @@ ScriptedUser::ScriptedUser(const Assignment& assignment, const Random& random)
 void ScriptedUser::go(Step step) {
   step_ = step;
   pause_s_ = hesitation_s();
+  foot_up_ = false;
+  still_ = 0;
   begin_step();
 }
 
@@ -81,11 +90,22 @@ bool ScriptedUser::pushed(const Glimpse& seen) const {
 void ScriptedUser::think(const Glimpse& seen) {
   if (step_ < Step::kClose) {
     think_of_approach(seen);
-  } else if (step_ < Step::kCarry) {
+  } else if (step_ < Step::kAgentC) {
     think_of_lift(seen);
   } else {
     think_of_transfer(seen);
   }
+}
+
+bool ScriptedUser::agent_has_done() {
+  if (foot_up_) return waited(skill().reaction_s);
+  press_agent_pedal(true);
+  still_ = eyes().tool_speed_m_s(side()) < kResting_m_s ? still_ + 1 : 0;
+  if (!waited(kAgentBegins_s + loop_s()) || still_ < kResting_samples) return false;
+  press_agent_pedal(false);
+  foot_up_ = true;
+  begin_step();
+  return false;
 }
 
 Aim ScriptedUser::above(const Glimpse& seen) const {
@@ -102,7 +122,13 @@ void ScriptedUser::think_of_approach(const Glimpse& seen) {
     case Step::kIdle:
       if (!waited(pause_s_)) return;
       choose_grasp(seen);
-      return go(Step::kOver);
+      return go(assignment().shares_control ? Step::kAgentA : Step::kOver);
+    case Step::kAgentA: {
+      if (!agent_has_done()) return;
+      const Eigen::Vector3d& p_WT = seen.tool(side()).p;
+      const bool over = std::hypot(p_WT.x() - grasp_.p.x(), p_WT.y() - grasp_.p.y()) < kLedThere_m;
+      return go(over ? Step::kAbove : Step::kOver);
+    }
     case Step::kOver:
       if (reach(seen, {{at_height(grasp_.p, kOverTip_m), grasp_.q}, 3.0 * tolerance_m, 0.12, 1.0})) go(Step::kAbove);
       return;
@@ -143,7 +169,7 @@ void ScriptedUser::think_of_lift(const Glimpse& seen) {
       if (!lifted) return try_again(seen);
       grip(grip_rad_ + skill().relaxing_rad * std::abs(random().normal()), kRelaxTime_s);
       hasty_ = random().uniform() < skill().haste;
-      return go(Step::kCarry);
+      return go(assignment().shares_control ? Step::kAgentC : Step::kCarry);
     }
     default:
       return;
@@ -154,6 +180,11 @@ void ScriptedUser::think_of_transfer(const Glimpse& seen) {
   const double tolerance_m = skill().tolerance_m;
   const spatial::Pose hand_off{peg_board::kHandOff_m, grasp_.q};
   switch (step_) {
+    case Step::kAgentC: {
+      if (!agent_has_done()) return;
+      const bool there = (seen.tool(side()).p - peg_board::kHandOff_m).norm() < kPresentable_m;
+      return go(there ? Step::kPresent : Step::kCarry);
+    }
     case Step::kCarry:
       if (waited(pause_s_) && reach(seen, {hand_off, 6.0 * tolerance_m, 0.15, 1.2})) go(Step::kPresent);
       return;

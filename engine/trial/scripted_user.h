@@ -14,6 +14,7 @@ class ScriptedUser final : public ScriptedOperator {
  private:
   enum class Step {
     kIdle,     ///< Looks at the scene.
+    kAgentA,   ///< Holds the left pedal until the tool rests (A, shared control).
     kOver,     ///< High over the wall (A).
     kAbove,    ///< Straight down to above it (A).
     kAlign,    ///< Exactly over it, jaws open.
@@ -21,6 +22,7 @@ class ScriptedUser final : public ScriptedOperator {
     kDescend,  ///< Over the wall.
     kClose,    ///< Closes and feels.
     kLift,     ///< Up.
+    kAgentC,   ///< As in A.
     kCarry,    ///< To the hand-off (C).
     kPresent,  ///< Holds still for the assistant (D).
     kOpen,     ///< Lets go.
@@ -34,6 +36,8 @@ class ScriptedUser final : public ScriptedOperator {
   void think_of_approach(const Glimpse& seen);
   void think_of_lift(const Glimpse& seen);
   void think_of_transfer(const Glimpse& seen);
+  /// Holds the left pedal; true once the tool has come to rest and the foot is up again.
+  bool agent_has_done();
   Aim above(const Glimpse& seen) const;
   void choose_grasp(const Glimpse& seen);
   /// Opens the jaws and goes for the block anew.
@@ -47,6 +51,8 @@ class ScriptedUser final : public ScriptedOperator {
   spatial::Pose block_before_;  ///< When the grasp was chosen.
   double grip_rad_ = 0.0;
   bool hasty_ = false;  ///< Will let go too early.
+  int still_ = 0;       ///< Samples for which the tool has rested under the agent.
+  bool foot_up_ = false;
 };
 
 }  // namespace trocar::trial

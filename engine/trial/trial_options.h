@@ -27,10 +27,10 @@ struct TrialOptions {
   int block = 0;                 ///< 0 … 5.
   int goal = 0;                  ///< 0 … 5.
   double time_limit_s = 120.0;
-  double scale = 0.2;            ///< Of hand to tool.
-  double agent_rate_hz = 20.0;   ///< Cells a second.
+  double scale = 0.2;           ///< Of hand to tool.
+  double agent_rate_hz = 20.0;  ///< Cells a second.
   Anchor anchor = Anchor::kBoard;
-  control::DelayOptions delay;   ///< From the operator's hand to the arm.
+  control::DelayOptions delay;     ///< From the operator's hand to the arm.
   std::vector<AgentModel> agents;  ///< Of A and C, of as many as there are; none is needed for MT.
 };
 

@@ -1,0 +1,510 @@
+#include "engine/trial/shared_control_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+#include "engine/trial/arm_drive.h"
+#include "engine/trial/guarded_arm.h"
+#include "engine/trial/hand_line.h"
+#include "engine/trial/sampling.h"
+#include "engine/trial/scripted_assistant.h"
+#include "engine/trial/scripted_user.h"
+#include "engine/trial/simulated_arm.h"
+#include "engine/trial/task.h"
+
+namespace trocar::trial {
+namespace {
+
+using control::ControlState;
+using control::ToolCommand;
+using demonstration::Authority;
+using demonstration::kTicksPerSample;
+using demonstration::Outcome;
+using demonstration::Segment;
+using kinematics::ArmSide;
+
+constexpr Tick kRecordedAfterwards{1000};
+constexpr double kMillisecond_s = 1e-3;
+
+simulation::WorldOptions world_options(const TrialOptions& options) {
+  simulation::WorldOptions world;
+  world.seed = options.seed;
+  return world;
+}
+
+demonstration::Provenance provenance_of(const TrialOptions& options, const simulation::World& world, bool scripted) {
+  demonstration::Provenance provenance;
+  provenance.operator_kind = scripted ? "scripted" : "person";
+  if (scripted) provenance.skill = to_string(options.skill);
+  provenance.device = scripted ? "scripted hand" : "hand controller";
+  provenance.seed = options.seed;
+  provenance.block = options.block;
+  provenance.goal = options.goal;
+  provenance.scene_hash = scene_hash(world.options());
+  provenance.software = kSoftware;
+  return provenance;
+}
+
+Assignment assignment_of(const TrialOptions& options, Skill skill) {
+  Assignment assignment{options.block, options.goal, parameters(skill), std::string(to_string(skill)), -1.0};
+  assignment.shares_control = options.mode == Mode::kShared;
+  return assignment;
+}
+
+Authority authority_in(ControlState state, Segment segment) {
+  switch (state) {
+    case ControlState::kAgent:
+      return Authority::kAgent;
+    case ControlState::kHold:
+    case ControlState::kStopped:
+      return Authority::kHold;
+    default:
+      return segment == Segment::kE ? Authority::kAssistant : Authority::kOperator;
+  }
+}
+
+Status check(const TrialOptions& options) {
+  const auto refuse = [](std::string why) { return fail(ErrorCode::kInvalidArgument, std::move(why)); };
+  const auto exists = [](int index) { return index >= 0 && index < peg_board::kBlockCount; };
+  if (!exists(options.block)) return refuse("the block is a number from 0 to 5");
+  if (!exists(options.goal)) return refuse("the goal is a number from 0 to 5");
+  if (!std::isfinite(options.time_limit_s) || options.time_limit_s <= 0.0)
+    return refuse("the time limit is not positive");
+  if (!(options.scale >= control::kSmallestScale && options.scale <= control::kLargestScale)) {
+    return refuse("the scale from hand to tool is 0.1 to 0.5");
+  }
+  if (!(options.agent_rate_hz >= 1.0 && options.agent_rate_hz <= 40.0)) {
+    return refuse("the agent steps 1 to 40 times a second");
+  }
+  if (options.mode == Mode::kShared && options.agents.empty()) {
+    return refuse("shared control needs a model: train one of segment A or C");
+  }
+  return {};
+}
+
+}  // namespace
+
+struct SharedControlSession::Impl {
+  Impl(TrialOptions options_in, TrialInputs inputs)
+      : options(std::move(options_in)),
+        world(world_options(options)),
+        provenance(provenance_of(options, world, inputs.user == nullptr)),
+        initial_world(world.snapshot().bytes),
+        task(options.block, options.goal),
+        arms{SimulatedArm(world, ArmSide::kLeft), SimulatedArm(world, ArmSide::kRight)},
+        left(arms[0], guard_settings(), options.scale),
+        right(arms[1], guard_settings(), 0.2),
+        line(options.delay),
+        from{arms[0].setpoint_cp(), arms[1].setpoint_cp()},
+        to(from) {
+    // One stream each, the same in both modes: what happens first to a person under MT happens to them under SC.
+    const Random random = Random(options.seed).child(0);
+    scripted_user = std::make_unique<ScriptedUser>(assignment_of(options, options.skill), random.child(1));
+    scripted_assistant = std::make_unique<ScriptedAssistant>(assignment_of(options, Skill::kExpert), random.child(2));
+    user = inputs.user != nullptr ? inputs.user : scripted_user.get();
+    assistant = inputs.assistant != nullptr ? inputs.assistant : scripted_assistant.get();
+    for (const AgentModel& model : options.agents) agents.emplace_back(model, options.agent_rate_hz);
+    task.update(world.state());
+    arm_both();
+    record();
+    mark();
+  }
+
+  Tick now() const { return world.state().tick; }
+  /// Of the guards' clock, whose first tick is 1.
+  Tick stamp() const { return Tick{now().count + 1}; }
+
+  // --- Guards -----------------------------------------------------------------------------------------------------
+
+  void arm_both() {
+    for (std::size_t i = 0; i < 2; ++i) {
+      control::Guard& guard = guards(i);
+      guard.confirm_frame(true);
+      // The scene is the simulator's own: its arms are homed, enabled and where they say.
+      const Status armed = guard.arm(arms[i].feedback(), stamp());
+      if (!armed) log(TrialEventKind::kGuard, armed.error().text());
+      look(i, false);
+    }
+    left.guard().set_safe_set([this](const Eigen::Vector3d& p_W) {
+      const Agent* agent = agent_of(task.segment());
+      return agent == nullptr || agent->safe(p_W);
+    });
+  }
+
+  control::Guard& guards(std::size_t i) { return i == 0 ? left.guard() : right.guard(); }
+
+  /// `present`: the operator is at the controller, the assistant at theirs.
+  void look(std::size_t i, bool present) {
+    control::GuardLook look;
+    look.now = stamp();
+    look.feedback = arms[i].feedback();
+    look.dead_man = present;
+    look.dead_man_stamp = stamp();
+    look.connected = true;
+    look.soft_stop = stopping;
+    guards(i).look(look);
+  }
+
+  // --- Authority --------------------------------------------------------------------------------------------------
+
+  Agent* agent_of(Segment segment) {
+    const auto found = std::find_if(agents.begin(), agents.end(),
+                                    [segment](const Agent& agent) { return agent.model().segment == segment; });
+    return found == agents.end() ? nullptr : &*found;
+  }
+
+  /// Why the agent cannot have the arm; "" if it can.
+  std::string agent_refusal() {
+    if (options.mode == Mode::kManual) return "this is a manual trial";
+    Agent* agent = agent_of(task.segment());
+    const bool of_agent = task.segment() == Segment::kA || task.segment() == Segment::kC;
+    if (!of_agent) return fmt::format("segment {} is the operator's", demonstration::letter(task.segment()));
+    if (agent == nullptr) return fmt::format("there is no model of segment {}", demonstration::letter(task.segment()));
+    return agent->cannot_begin(left.guard().setpoint().X_WT.p);
+  }
+
+  bool agent_may() {
+    if (options.mode == Mode::kManual) return false;
+    // Who has the arm keeps it while the guard lets it move; who asks for it must know what to do.
+    if (machine.state() == ControlState::kAgent) {
+      return driving == agent_of(task.segment()) && left.guard().state() == control::GuardState::kMoving;
+    }
+    return machine.agent_pedal().down && agent_refusal().empty();
+  }
+
+  void look_at_authority() {
+    control::ControlLook look;
+    look.now = stamp();
+    look.begin = !begun;
+    look.ended = task.outcome() == Outcome::kDropped || ended_by_hand;
+    look.agent_pedal = line.sample().agent_pedal;
+    look.clutch_pedal = line.sample().clutch_pedal;
+    look.agent_may = agent_may();
+    look.fresh = left.guard().state() == control::GuardState::kMoving || !left_moves;
+    look.stop = stopping;
+    machine.look(look);
+    begun = true;
+    if (machine.agent_pedal().pressed) ++presses, log(TrialEventKind::kPedal, "agent pedal down");
+    if (machine.agent_pedal().released) log(TrialEventKind::kPedal, "agent pedal up");
+    if (machine.clutch_pedal().pressed) log(TrialEventKind::kPedal, "clutch down");
+    if (machine.clutch_pedal().released) log(TrialEventKind::kPedal, "clutch up");
+    if (machine.changed()) log(TrialEventKind::kState, std::string(to_string(machine.state())));
+  }
+
+  bool operator_steers() const {
+    const ControlState state = machine.state();
+    return state == ControlState::kOperator || state == ControlState::kClutch;
+  }
+
+  /// Who has the arm now goes on from where it is, and as it moves.
+  void hand_over() {
+    if (driving != nullptr && machine.state() != ControlState::kAgent) {
+      agent_steps += driving->steps();
+      driving->end();
+      driving = nullptr;
+    }
+    if (machine.state() == ControlState::kAgent) {
+      driving = agent_of(task.segment());
+      driving->begin(left.guard().setpoint().X_WT.p, left.guard().velocity());
+      log(TrialEventKind::kAgent, "begins: " + driving->model().name);
+    }
+    if (machine.state() == ControlState::kOperator) left.take_over(line.sample());
+  }
+
+  // --- Motion -----------------------------------------------------------------------------------------------------
+
+  ToolCommand left_setpoint(double period_s) {
+    if (!line.any()) return left.rest(period_s);
+    if (driving != nullptr && machine.state() == ControlState::kAgent) {
+      const Agent::State before = driving->state();
+      const ToolCommand next = left.follow(*driving, stamp(), period_s);
+      if (driving->state() != before) log_agent(driving->state());
+      return next;
+    }
+    // What was held engages anew where the tool is, as soon as the guard lets it.
+    if (machine.state() == ControlState::kHold) left.take_over(line.sample());
+    const bool follows = operator_steers() || machine.state() == ControlState::kHold;
+    return follows ? left.follow(line.sample(), stamp(), period_s) : left.rest(period_s);
+  }
+
+  void log_agent(Agent::State state) {
+    if (state == Agent::State::kArrived) log(TrialEventKind::kAgent, "arrived");
+    if (state == Agent::State::kLoops) log(TrialEventKind::kAgent, "goes in circles and rests");
+    if (state == Agent::State::kStuck) log(TrialEventKind::kAgent, "knows no move and rests");
+  }
+
+  /// Both hands are looked at every sample; what the operator's does arrives by its delay.
+  void ask_inputs() {
+    line.send(user->sample(world.state()), now());
+    hand_right = assistant->sample(world.state());
+    if (now().count == 0) right.take_over(hand_right);
+  }
+
+  /// New setpoints for what is left of the sample; the right arm's stand once they are made.
+  void plan() {
+    const int rest = kTicksPerSample - sub;
+    const double period_s = rest * kMillisecond_s;
+    if (sub == 0) from = to;
+    to[0] = left_setpoint(period_s);
+    if (sub == 0) {
+      to[1] = stopping || stopped ? right.rest(period_s) : right.follow(hand_right, stamp(), period_s);
+    }
+    span = rest;
+    begun_at = sub;
+    limit_hits += left.limits().any() ? 1 : 0;
+    unreachable += left.refusal().empty() ? 0 : 1;
+  }
+
+  std::array<ToolCommand, 2> told() const { return {arms[0].setpoint_cp(), arms[1].setpoint_cp()}; }
+
+  /// Between two samples somebody else takes the arm: the recording gets a sample at every tick up to this one, as
+  /// interpolation to another end is not the same to the last bit.
+  void cut() {
+    from = told();
+    samples.insert(samples.end(), between_samples.begin(), between_samples.end());
+    between_samples.clear();
+    left.guard().cut_short(from[0]);
+  }
+
+  void step() {
+    stopping = stop_asked.exchange(false);
+    if (sub == 0) ask_inputs();
+    const bool anybody = line.any();
+    line.receive(now());
+    if (!anybody && line.any()) left.take_over(line.sample());
+    look(0, line.any());
+    look(1, line.any());
+    left_moves = left_moves || left.guard().state() == control::GuardState::kMoving;
+    look_at_authority();
+    if (stopping && !stopped) end_by_stop();
+    const bool cuts = machine.changed() && sub != 0;
+    if (cuts) cut();
+    if (machine.changed()) hand_over();
+    if (cuts || sub == 0) plan();
+    ++sub;
+    for (std::size_t i = 0; i < 2; ++i) {
+      // Both ends are within reach; a point between them that is not leaves the arm where it is, in a replay too.
+      static_cast<void>(arms[i].servo_cp(between(from[i], to[i], sub - begun_at, span)));
+    }
+    world.step();
+    count_time();
+    if (sub < kTicksPerSample) {
+      between_samples.push_back(sample_of(told()));
+      return;
+    }
+    sub = 0;
+    between_samples.clear();
+    finish_sample();
+  }
+
+  void end_by_stop() {
+    stopped = true;
+    ended_by_hand = true;
+    ends_at = Tick{now().count + kRecordedAfterwards.count};
+    log(TrialEventKind::kOutcome, "stopped");
+  }
+
+  // --- The record -------------------------------------------------------------------------------------------------
+
+  void log(TrialEventKind kind, std::string text) { events.push_back({now().count, kind, std::move(text)}); }
+
+  void count_time() {
+    if (outcome() != Outcome::kUnfinished) return;
+    counts.segment_s[static_cast<std::size_t>(task.segment())] += kMillisecond_s;
+    if (machine.state() == ControlState::kAgent) counts.agent_s += kMillisecond_s;
+    if (machine.state() == ControlState::kClutch) counts.clutch_s += kMillisecond_s;
+  }
+
+  Authority authority() const {
+    // With the segment the agent's time is over, at once.
+    const bool over =
+        machine.state() == ControlState::kAgent && driving != nullptr && driving->model().segment != task.segment();
+    return over ? authority_in(ControlState::kOperator, task.segment()) : authority_in(machine.state(), task.segment());
+  }
+  Outcome outcome() const {
+    return stopped && task.outcome() == Outcome::kUnfinished ? Outcome::kAborted : task.outcome();
+  }
+
+  demonstration::Sample sample_of(const std::array<ToolCommand, 2>& setpoints) const {
+    const SampleContext context{options.block, setpoints,     line.sample().agent_pedal, line.sample().clutch_pedal,
+                                authority(),   task.segment()};
+    return make_sample(world.state(), context);
+  }
+  void record() { samples.push_back(sample_of(to)); }
+  void mark() { marks.push_back({now().count, world.state_hash()}); }
+
+  bool nothing_left() const {
+    if (task.outcome() == Outcome::kDropped) return true;
+    const bool user_done =
+        user == scripted_user.get() ? scripted_user->finished() : task.outcome() == Outcome::kSuccess;
+    const bool assistant_done = assistant == scripted_assistant.get() ? scripted_assistant->finished() : task.placed();
+    return user_done && assistant_done;
+  }
+
+  void finish_sample() {
+    const Segment segment_before = task.segment();
+    const Outcome outcome_before = task.outcome();
+    task.update(world.state());
+    if (task.segment() != segment_before) {
+      log(TrialEventKind::kSegment, std::string(1, demonstration::letter(task.segment())));
+      segment_begins = now();
+    }
+    if (task.outcome() != outcome_before) log(TrialEventKind::kOutcome, std::string(to_string(task.outcome())));
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (control::GuardEvent& event : guards(i).take_events()) {
+        events.push_back({event.at.count - 1, TrialEventKind::kGuard, (i == 0 ? "left: " : "right: ") + event.text});
+      }
+    }
+    record();
+    const Tick tick = now();
+    if (nothing_left() && !ends_at) ends_at = Tick{tick.count + kRecordedAfterwards.count};
+    ended = (ends_at && tick >= *ends_at) || tick.seconds() >= options.time_limit_s;
+    if (ended || tick.count % Tick::kPerSecond == 0) mark();
+  }
+
+  TrialCounts counted() const {
+    TrialCounts all = counts;
+    all.attempts = scripted_user->attempts();
+    all.misses = task.misses();
+    all.clutches = left.mapping().count();
+    all.hand_overs = machine.hand_overs();
+    all.agent_steps = agent_steps + (driving != nullptr ? driving->steps() : 0);
+    all.limit_hits = limit_hits;
+    all.unreachable = unreachable;
+    all.delay_mean_s = line.mean_delay_s();
+    all.delay_worst_s = line.worst_delay_s();
+    return all;
+  }
+
+  TrialOptions options;
+  simulation::World world;
+  demonstration::Provenance provenance;
+  std::string initial_world;
+  bool initial_world_taken = false;
+  Task task;
+  std::array<SimulatedArm, 2> arms;
+  GuardedArm left;
+  GuardedArm right;
+  HandLine line;
+  std::unique_ptr<ScriptedUser> scripted_user;
+  std::unique_ptr<ScriptedAssistant> scripted_assistant;
+  OperatorInput* user = nullptr;
+  OperatorInput* assistant = nullptr;
+  HandSample hand_right;
+  std::vector<Agent> agents;
+  Agent* driving = nullptr;
+  control::AuthorityMachine machine;
+  std::array<ToolCommand, 2> from;
+  std::array<ToolCommand, 2> to;
+  int sub = 0;                 ///< Ticks of the sample that are over.
+  int begun_at = 0;            ///< Where in the sample the plan began …
+  int span = kTicksPerSample;  ///< … and how many ticks it is for.
+  bool begun = false;
+  bool left_moves = false;
+  bool stopped = false;
+  bool stopping = false;
+  bool ended_by_hand = false;
+  bool ended = false;
+  int presses = 0;
+  int agent_steps = 0;
+  std::int64_t limit_hits = 0;
+  std::int64_t unreachable = 0;
+  Tick segment_begins;
+  std::optional<Tick> ends_at;
+  TrialCounts counts;
+  std::vector<demonstration::Sample> samples;
+  std::vector<demonstration::Sample> between_samples;  ///< Of the ticks since the last one, for a cut.
+  std::vector<demonstration::HashMark> marks;
+  std::vector<TrialEvent> events;
+  std::atomic<bool> stop_asked{false};
+};
+
+Result<std::unique_ptr<SharedControlSession>> SharedControlSession::create(TrialOptions options, TrialInputs inputs) {
+  TROCAR_RETURN_IF_ERROR(check(options));
+  return std::unique_ptr<SharedControlSession>(
+      new SharedControlSession(std::make_unique<Impl>(std::move(options), inputs)));
+}
+
+SharedControlSession::SharedControlSession(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SharedControlSession::~SharedControlSession() = default;
+
+const TrialOptions& SharedControlSession::options() const {
+  return impl_->options;
+}
+const demonstration::Provenance& SharedControlSession::provenance() const {
+  return impl_->provenance;
+}
+void SharedControlSession::stop() {
+  impl_->stop_asked.store(true);
+}
+void SharedControlSession::mark_incident(const std::string& text) {
+  impl_->log(TrialEventKind::kIncident, text);
+}
+void SharedControlSession::step() {
+  if (!impl_->ended) impl_->step();
+}
+bool SharedControlSession::done() const {
+  return impl_->ended;
+}
+const simulation::WorldState& SharedControlSession::state() const {
+  return impl_->world.state();
+}
+Segment SharedControlSession::segment() const {
+  return impl_->task.segment();
+}
+Authority SharedControlSession::authority() const {
+  return impl_->authority();
+}
+Outcome SharedControlSession::outcome() const {
+  return impl_->outcome();
+}
+bool SharedControlSession::placed() const {
+  return impl_->task.placed();
+}
+std::optional<std::string> SharedControlSession::take_initial_world() {
+  if (std::exchange(impl_->initial_world_taken, true)) return std::nullopt;
+  return impl_->initial_world;
+}
+std::vector<demonstration::Sample> SharedControlSession::take_samples() {
+  return std::exchange(impl_->samples, {});
+}
+std::vector<demonstration::HashMark> SharedControlSession::take_marks() {
+  return std::exchange(impl_->marks, {});
+}
+std::vector<TrialEvent> SharedControlSession::take_events() {
+  return std::exchange(impl_->events, {});
+}
+std::optional<double> SharedControlSession::completion_s() const {
+  const auto at = impl_->task.decided_at();
+  if (!at) return std::nullopt;
+  return at->seconds();
+}
+
+TrialStatus SharedControlSession::trial_status() const {
+  Impl& impl = *impl_;
+  TrialStatus status;
+  status.state = impl.machine.state();
+  status.agent_pedal = impl.line.sample().agent_pedal;
+  status.clutch_pedal = impl.line.sample().clutch_pedal;
+  status.agent_presses = impl.presses;
+  status.pedal_stuck = impl.machine.agent_pedal_stuck();
+  if (impl.driving != nullptr) status.agent = impl.driving->state();
+  if (impl.driving == nullptr) status.agent_refusal = impl.agent_refusal();
+  const control::Guard& guard = impl.left.guard();
+  if (guard.state() != control::GuardState::kMoving) status.guard = guard.reason_text();
+  status.tool_speed_m_s = guard.velocity().norm();
+  const simulation::WorldState& state = impl.world.state();
+  const Eigen::Vector3d& tip = state.arm(ArmSide::kLeft).X_WT.p;
+  status.to_block_m = (tip - state.blocks[static_cast<std::size_t>(impl.options.block)].X_WK.p).norm();
+  status.error_m = (tip - guard.setpoint().X_WT.p).norm();
+  status.delay_s = impl.line.last_delay_s();
+  status.segment_s = Tick{impl.now().count - impl.segment_begins.count}.seconds();
+  status.counts = impl.counted();
+  return status;
+}
+
+}  // namespace trocar::trial

@@ -1,0 +1,252 @@
+// Trials in the simulator: manual and shared, to the bit repeatable and replayable, and what the operator can do at any
+// time.
+#include "engine/trial/shared_control_session.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/trial/transfer_session.h"
+#include "tests/support/trial_agents.h"
+
+using namespace trocar;
+using namespace trocar::trial;
+using demonstration::Authority;
+using demonstration::Outcome;
+using demonstration::Segment;
+
+namespace {
+
+const std::vector<AgentModel>& agents() {
+  static const std::vector<AgentModel> kAgents = testing::agents_for(0);
+  return kAgents;
+}
+
+TrialOptions shared(std::uint64_t seed = 1) {
+  TrialOptions options;
+  options.mode = Mode::kShared;
+  options.agents = agents();
+  options.seed = seed;
+  return options;
+}
+
+struct Run {
+  demonstration::Recording recording;
+  std::vector<TrialEvent> events;
+  TrialStatus status;
+  std::optional<double> completion_s;
+  Outcome outcome = Outcome::kUnfinished;
+};
+
+Run run(const TrialOptions& options, std::int64_t stop_at = -1) {
+  auto session = SharedControlSession::create(options).value();
+  Run result;
+  while (!session->done()) {
+    if (session->state().tick.count == stop_at) session->stop();
+    session->step();
+  }
+  result.recording.provenance = session->provenance();
+  result.recording.initial_world = *session->take_initial_world();
+  result.recording.samples = session->take_samples();
+  result.recording.hashes = session->take_marks();
+  result.events = session->take_events();
+  result.status = session->trial_status();
+  result.completion_s = session->completion_s();
+  result.outcome = session->outcome();
+  return result;
+}
+
+bool told(const Run& run, TrialEventKind kind, const std::string& text) {
+  return std::any_of(run.events.begin(), run.events.end(),
+                     [&](const TrialEvent& event) { return event.kind == kind && event.text.starts_with(text); });
+}
+
+/// A hand at rest whose pedals are pressed by the clock.
+class Feet final : public OperatorInput {
+ public:
+  std::int64_t down_from = 0;
+  std::int64_t down_to = 0;
+  std::int64_t clutch_from = 0;
+  std::int64_t clutch_to = 0;
+  HandSample sample(const simulation::WorldState& seen) override {
+    HandSample hand;
+    const std::int64_t now = seen.tick.count;
+    hand.agent_pedal = now >= down_from && now < down_to;
+    hand.clutch_pedal = now >= clutch_from && now < clutch_to;
+    return hand;
+  }
+  std::string_view name() const override { return "feet"; }
+};
+
+}  // namespace
+
+TEST_CASE("a manual trial of an expert succeeds, and its recording replays to the same hashes") {
+  TrialOptions options;
+  const Run manual = run(options);
+  CHECK(manual.outcome == Outcome::kSuccess);
+  REQUIRE(manual.completion_s);
+  CHECK(*manual.completion_s > 5.0);
+  CHECK(manual.status.counts.agent_s == 0.0);
+  CHECK(manual.status.counts.limit_hits == 0);
+  Progress progress;
+  CHECK(replay(manual.recording, progress).value().verified);
+}
+
+TEST_CASE(
+    "in a shared trial the agent moves in A and C under the pedal, and the recording replays to the same hashes") {
+  const Run both = run(shared());
+  CHECK(both.outcome == Outcome::kSuccess);
+  CHECK(both.status.counts.agent_s > 1.0);
+  CHECK(told(both, TrialEventKind::kAgent, "begins: A exact"));
+  CHECK(told(both, TrialEventKind::kAgent, "begins: C exact"));
+  CHECK(both.status.counts.hand_overs >= 4);
+  Progress progress;
+  CHECK(replay(both.recording, progress).value().verified);
+  for (const demonstration::Sample& sample : both.recording.samples) {
+    if (sample.authority != Authority::kAgent) continue;
+    CHECK((sample.flags & demonstration::kAgentPedal) != 0);
+    CHECK((sample.segment == Segment::kA || sample.segment == Segment::kC));
+  }
+}
+
+TEST_CASE("the same options give the same bits, another seed other ones") {
+  const Run first = run(shared());
+  const Run again = run(shared());
+  CHECK(hash_of(first.recording.samples) == hash_of(again.recording.samples));
+  CHECK(first.recording.hashes.back().hash == again.recording.hashes.back().hash);
+  CHECK(first.events.size() == again.events.size());
+  CHECK(hash_of(first.recording.samples) != hash_of(run(shared(2)).recording.samples));
+}
+
+TEST_CASE("a released pedal is in the record and the arm the operator's in that tick, also between two samples") {
+  // By 3 ms of delay the release arrives inside of a sample.
+  for (const double delay_s : {0.0, 0.003}) {
+    Feet feet;
+    feet.down_from = 500;
+    feet.down_to = 1500;
+    TrialOptions options = shared();
+    options.delay.mean_s = delay_s;
+    options.time_limit_s = 3.0;
+    auto session = SharedControlSession::create(options, {&feet, nullptr}).value();
+    const auto release = static_cast<std::int64_t>(std::lround(1500 + 1e3 * delay_s));
+    while (session->state().tick.count < release) {
+      session->step();
+    }
+    CHECK(session->authority() == Authority::kAgent);
+    session->step();
+    CHECK(session->authority() == Authority::kOperator);
+    const auto events = session->take_events();
+    const auto at = [&](TrialEventKind kind, const std::string& text) {
+      const auto found = std::find_if(events.rbegin(), events.rend(), [&](const TrialEvent& event) {
+        return event.kind == kind && event.text == text;
+      });
+      return found == events.rend() ? -1 : found->tick;
+    };
+    CHECK(at(TrialEventKind::kPedal, "agent pedal up") == release);
+    CHECK(at(TrialEventKind::kState, "operator") == release);
+    // The agent's motion runs out within 40 ms, and then nothing moves: the hand rests.
+    while (session->state().tick.count < release + 60) session->step();
+    const Eigen::Vector3d rest = session->state().arms[0].X_WT.p;
+    while (!session->done()) session->step();
+    CHECK((session->state().arms[0].X_WT.p - rest).norm() < 1e-9);
+    demonstration::Recording recording;
+    recording.provenance = session->provenance();
+    recording.initial_world = *session->take_initial_world();
+    recording.samples = session->take_samples();
+    recording.hashes = session->take_marks();
+    Progress progress;
+    CHECK(replay(recording, progress).value().verified);
+  }
+}
+
+TEST_CASE("a hand-over jumps neither in place nor in speed, either way") {
+  Feet feet;
+  feet.down_from = 500;
+  feet.down_to = 1503;
+  TrialOptions options = shared();
+  options.time_limit_s = 2.5;
+  auto session = SharedControlSession::create(options, {&feet, nullptr}).value();
+  Eigen::Vector3d p = session->state().arms[0].setpoint.X_WT.p;
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  double fastest = 0.0;
+  double worst_change = 0.0;
+  while (!session->done()) {
+    session->step();
+    const Eigen::Vector3d next = session->state().arms[0].setpoint.X_WT.p;
+    const Eigen::Vector3d v_next = (next - p) / 1e-3;
+    fastest = std::max(fastest, v_next.norm());
+    worst_change = std::max(worst_change, (v_next - v).norm());
+    p = next;
+    v = v_next;
+  }
+  CHECK(fastest > 0.03);
+  CHECK(fastest < 0.07);
+  // 8 m/s² over the 5 ms of a sample are 40 mm/s; the agent and what runs out of it change far more slowly.
+  CHECK(worst_change < 0.020);
+}
+
+TEST_CASE("both pedals hold the tool, and a tap moves nothing") {
+  Feet feet;
+  SUBCASE("a tap") {
+    feet.down_from = 500;
+    feet.down_to = 620;
+  }
+  SUBCASE("both") {
+    feet.down_from = 500;
+    feet.down_to = 2000;
+    feet.clutch_from = 400;
+    feet.clutch_to = 2000;
+  }
+  TrialOptions options = shared();
+  options.time_limit_s = 2.0;
+  auto session = SharedControlSession::create(options, {&feet, nullptr}).value();
+  const Eigen::Vector3d before = session->state().arms[0].X_WT.p;
+  while (!session->done()) session->step();
+  CHECK((session->state().arms[0].X_WT.p - before).norm() < 1e-9);
+}
+
+TEST_CASE("stop ends it in any segment as aborted, and the arms rest") {
+  for (const std::int64_t tick : {100, 2003, 8000, 12001}) {
+    const Run stopped = run(shared(), tick);
+    CHECK(stopped.outcome == Outcome::kAborted);
+    CHECK(told(stopped, TrialEventKind::kState, "stopped"));
+    CHECK(stopped.recording.samples.back().tick <= tick + 1010);
+    const auto& last = stopped.recording.samples;
+    CHECK(last[last.size() - 1].arms[0].setpoint_p == last[last.size() - 100].arms[0].setpoint_p);
+    Progress progress;
+    const ReplayResult replayed = replay(stopped.recording, progress).value();
+    CAPTURE(tick);
+    CAPTURE(replayed.diverged_at_s.value_or(-1.0));
+    CHECK(replayed.verified);
+  }
+}
+
+TEST_CASE("a constant delay shifts what the arm does by exactly that") {
+  TrialOptions options;
+  options.time_limit_s = 4.0;
+  const Run direct = run(options);
+  options.delay.mean_s = 0.050;
+  const Run late = run(options);
+  CHECK(late.status.counts.delay_mean_s == doctest::Approx(0.050));
+  // Until the operator sees the first effect, which comes later.
+  const std::size_t shift = 10;
+  for (std::size_t i = 0; i < 100; ++i) {
+    CHECK(late.recording.samples[i + shift].arms[0].setpoint_p == direct.recording.samples[i].arms[0].setpoint_p);
+  }
+}
+
+TEST_CASE("what cannot be run is refused in a sentence") {
+  TrialOptions options;
+  options.mode = Mode::kShared;
+  CHECK(SharedControlSession::create(options).error().text().find("needs a model") != std::string::npos);
+  options = {};
+  options.block = 6;
+  CHECK_FALSE(SharedControlSession::create(options));
+  options = {};
+  options.scale = 1.0;
+  CHECK_FALSE(SharedControlSession::create(options));
+  options = {};
+  options.time_limit_s = 0.0;
+  CHECK_FALSE(SharedControlSession::create(options));
+}
