@@ -102,6 +102,17 @@ Result<std::shared_ptr<const demonstration::Demonstration>> find_demonstration(c
   return find(project.demonstrations, text, "demonstration");
 }
 
+Result<std::shared_ptr<const workbench::TrialEntry>> find_trial(const workbench::Project& project,
+                                                                const std::string& text) {
+  return find(project.trials, text, "trial");
+}
+
+Result<std::shared_ptr<const demonstration::Demonstration>> find_shown(const workbench::Project& project,
+                                                                       const std::string& text) {
+  if (const auto trial = find_trial(project, text)) return (*trial)->shown;
+  return find_demonstration(project, text);
+}
+
 Result<std::shared_ptr<const workbench::ModelEntry>> find_model(const workbench::Project& project,
                                                                 const std::string& text) {
   return find(project.models, text, "model");

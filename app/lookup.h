@@ -37,6 +37,11 @@ Status check_output(const std::filesystem::path& out, const std::filesystem::pat
 /// not unique.
 Result<std::shared_ptr<const demonstration::Demonstration>> find_demonstration(const workbench::Project& project,
                                                                                const std::string& text);
+Result<std::shared_ptr<const workbench::TrialEntry>> find_trial(const workbench::Project& project,
+                                                                const std::string& text);
+/// A demonstration, or what was recorded of a trial.
+Result<std::shared_ptr<const demonstration::Demonstration>> find_shown(const workbench::Project& project,
+                                                                       const std::string& text);
 Result<std::shared_ptr<const workbench::ModelEntry>> find_model(const workbench::Project& project,
                                                                 const std::string& text);
 

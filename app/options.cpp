@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "app/commands/trial_commands.h"
 #include "app/usage.h"
 
 namespace trocar::app {
@@ -40,6 +41,7 @@ Options::Options() : root_("Teach a surgical robot by demonstration: record, edi
   add_model_commands(root_, chosen_);
   add_rollout_commands(root_, chosen_);
   add_field_commands(root_, chosen_);
+  add_trial_commands(root_, chosen_);
   add_view_commands(root_, chosen_);
   add_video_commands(root_, chosen_);
   add_ui_commands(root_, chosen_);

@@ -76,6 +76,12 @@ struct EditText {
   }
   // What was planned is in the state, see below.
   std::string operator()(const Batch&) const { return ""; }
+  // Trials are added by running them.
+  std::string operator()(const AddTrial&) const { return ""; }
+  std::string operator()(const JudgeTrial& edit) const {
+    return fmt::format("trocar trial judge {} {} {}", project, edit.trial.value,
+                       edit.excluded ? "--exclude " + shell_word(edit.reason) : "--include");
+  }
   // The command line does not remove models; there is nothing to copy.
   std::string operator()(const RemoveModel&) const { return ""; }
   static std::string words(const demonstration::Edit& edit) {

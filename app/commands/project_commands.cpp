@@ -45,18 +45,18 @@ Result<Answer> run_info(const ProjectArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           open_to_read(arguments.project, console, Models::kDescribed));
   const auto project = file.project();
-  constexpr int kTrials = 0;  // No command makes a trial yet, so that no project holds one.
   Answer answer;
   answer.json = {{"demonstrations", project->demonstrations.size()},
                  {"models", project->models.size()},
-                 {"trials", kTrials},
+                 {"trials", project->trials.size()},
                  {"edits", file.history().size()},
                  {"head", file.head()},
                  {"schema", store::kSchemaVersion},
                  {"size_bytes", file.size_bytes()},
                  {"hash", hash_text(project->hash())}};
-  answer.summary = fmt::format("{}, {}, {:.1f} MB", counted(project->demonstrations.size(), "demonstration"),
-                               counted(project->models.size(), "model"), static_cast<double>(file.size_bytes()) * 1e-6);
+  answer.summary = fmt::format("{}, {}, {}, {:.1f} MB", counted(project->demonstrations.size(), "demonstration"),
+                               counted(project->models.size(), "model"), counted(project->trials.size(), "trial"),
+                               static_cast<double>(file.size_bytes()) * 1e-6);
   return answer;
 }
 

@@ -64,7 +64,7 @@ Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           open_to_read(arguments.project, console, Models::kDescribed));
   for (const std::string& text : arguments.demonstrations) {
-    TROCAR_ASSIGN_OR_RETURN(auto demonstration, find_demonstration(*file.project(), text));
+    TROCAR_ASSIGN_OR_RETURN(auto demonstration, find_shown(*file.project(), text));
     job.demonstrations.push_back(std::move(demonstration));
   }
   TROCAR_ASSIGN_OR_RETURN(const workbench::FilmReport report, workbench::render_film(job, console.progress()));

@@ -87,7 +87,7 @@ Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(
       const workbench::ProjectFile file,
       open_to_read(arguments.project, console, arguments.model.empty() ? Models::kDescribed : Models::kWhole));
-  TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_demonstration(*file.project(), arguments.demonstration));
+  TROCAR_ASSIGN_OR_RETURN(const auto demonstration, find_shown(*file.project(), arguments.demonstration));
   const double at_s = arguments.at_s.value_or(0.5 * (demonstration->begin_s + demonstration->end_s));
   if (!(at_s >= demonstration->begin_s && at_s <= demonstration->end_s)) {
     return fail(ErrorCode::kInvalidArgument,

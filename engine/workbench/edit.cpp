@@ -37,7 +37,8 @@ bool fits_batch(const Edit& edit) {
   return !std::holds_alternative<AddDemonstration>(edit) && !std::holds_alternative<CopyDemonstration>(edit) &&
          !std::holds_alternative<SplitDemonstration>(edit) && !std::holds_alternative<AddModel>(edit) &&
          !std::holds_alternative<CopyDemonstrations>(edit) && !std::holds_alternative<ImportDemonstrations>(edit) &&
-         !std::holds_alternative<PunchIn>(edit) && !std::holds_alternative<Batch>(edit);
+         !std::holds_alternative<PunchIn>(edit) && !std::holds_alternative<AddTrial>(edit) &&
+         !std::holds_alternative<Batch>(edit);
 }
 
 struct Application {
@@ -270,6 +271,31 @@ struct Application {
     return edited;
   }
 
+  Result<Project> operator()(const AddTrial& edit) const {
+    TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.name));
+    TROCAR_ASSIGN_OR_RETURN(auto recording, blobs.recording(edit.recording));
+    TrialEntry entry{TrialId{new_id}, edit.name, nullptr, edit.record, false, ""};
+    entry.shown = std::make_shared<const Demonstration>(demonstration::make_demonstration(
+        DemonstrationId{new_id}, edit.name, std::move(recording.info), std::move(recording.samples)));
+    Project edited = project;
+    edited.trials[entry.id] = std::make_shared<const TrialEntry>(std::move(entry));
+    return edited;
+  }
+
+  Result<Project> operator()(const JudgeTrial& edit) const {
+    const auto found = project.trials.find(edit.trial);
+    if (found == project.trials.end()) {
+      return fail(ErrorCode::kNotFound, fmt::format("the project has no trial {}", edit.trial.value));
+    }
+    if (edit.excluded) TROCAR_RETURN_IF_ERROR(demonstration::check_name(edit.reason));
+    TrialEntry entry = *found->second;
+    entry.excluded = edit.excluded;
+    entry.reason = edit.excluded ? edit.reason : "";
+    Project edited = project;
+    edited.trials[edit.trial] = std::make_shared<const TrialEntry>(std::move(entry));
+    return edited;
+  }
+
   Result<Project> operator()(const RemoveModel& edit) const {
     Project edited = project;
     if (edited.models.erase(edit.model) == 0) {
@@ -325,6 +351,13 @@ struct Description {
     return fmt::format("Split {} at {:.2f} s", name(edit.demonstration), edit.at_s);
   }
   std::string operator()(const AddModel& edit) const { return fmt::format("Add model {}", edit.object); }
+  std::string operator()(const AddTrial& edit) const { return fmt::format("Add trial {}", edit.name); }
+  std::string operator()(const JudgeTrial& edit) const {
+    const auto found = before.trials.find(edit.trial);
+    const std::string name =
+        found == before.trials.end() ? fmt::format("trial {}", edit.trial.value) : found->second->name;
+    return edit.excluded ? fmt::format("Exclude {}: {}", name, edit.reason) : fmt::format("Include {}", name);
+  }
   std::string operator()(const RemoveModel& edit) const {
     const auto found = before.models.find(edit.model);
     return found == before.models.end() ? fmt::format("Remove model {}", edit.model.value)

@@ -131,6 +131,21 @@ struct RemoveModel {
   ModelId model;
 };
 
+/// Puts the recording of a trial into the project; its id is the journal row's id.
+struct AddTrial {
+  static constexpr std::string_view kName = "add trial";
+  demonstration::RecordingId recording;
+  std::string name;
+  trial::TrialRecord record;
+};
+/// Leaves a trial out of the results, for a reason, or takes it in again; it stays where it is.
+struct JudgeTrial {
+  static constexpr std::string_view kName = "judge trial";
+  TrialId trial;
+  bool excluded = false;
+  std::string reason;
+};
+
 /// Keeps a query of the library under a name, in place of what had that name.
 struct SaveFilter {
   static constexpr std::string_view kName = "save filter";
@@ -144,10 +159,11 @@ struct RemoveFilter {
 
 struct Batch;
 
-using Edit = std::variant<AddDemonstration, ImportDemonstrations, RemoveDemonstration, EditDemonstration,
-                          CopyDemonstration, SplitDemonstration, MoveStackEntry, EnableStackEntry, ReplaceStackEntry,
-                          NameStackEntry, RemoveStackEntry, AddModel, RemoveModel, RestoreDemonstration,
-                          MarkDemonstration, SaveFilter, RemoveFilter, PunchIn, CopyDemonstrations, Batch>;
+using Edit =
+    std::variant<AddDemonstration, ImportDemonstrations, RemoveDemonstration, EditDemonstration, CopyDemonstration,
+                 SplitDemonstration, MoveStackEntry, EnableStackEntry, ReplaceStackEntry, NameStackEntry,
+                 RemoveStackEntry, AddModel, RemoveModel, RestoreDemonstration, MarkDemonstration, SaveFilter,
+                 RemoveFilter, PunchIn, CopyDemonstrations, AddTrial, JudgeTrial, Batch>;
 
 /// Several edits as one step, one after the other: all are made, or none. Those of one demonstration are entries of
 /// their own in its stack. Those that add something have no place in it, nor another batch.

@@ -98,6 +98,13 @@ struct Printer {
     return {{"title", edit.title}, {"edits", std::move(list)}};
   }
   json operator()(const AddModel& edit) const { return {{"object", edit.object}}; }
+  json operator()(const AddTrial& edit) const {
+    return {
+        {"recording", edit.recording.value}, {"name", edit.name}, {"record", json::parse(trial::to_json(edit.record))}};
+  }
+  json operator()(const JudgeTrial& edit) const {
+    return {{"trial", edit.trial.value}, {"excluded", edit.excluded}, {"reason", edit.reason}};
+  }
   json operator()(const RemoveModel& edit) const { return {{"model", edit.model.value}}; }
 };
 
@@ -298,6 +305,16 @@ Result<Edit> batch(const json& object) {
   return read;
 }
 
+Result<Edit> add_trial(const json& object) {
+  AddTrial added;
+  TROCAR_ASSIGN_OR_RETURN(added.recording.value, id_at(object, "recording"));
+  TROCAR_ASSIGN_OR_RETURN(added.name, text_at(object, "name"));
+  const auto record = object.find("record");
+  if (record == object.end()) return corrupt("a trial must have a record");
+  TROCAR_ASSIGN_OR_RETURN(added.record, trial::record_from_json(record->dump()));
+  return added;
+}
+
 Result<Edit> edit_from(std::string_view name, const json& object) {
   if (name == AddDemonstration::kName) {
     TROCAR_ASSIGN_OR_RETURN(AddDemonstration added, add_demonstration(object));
@@ -331,6 +348,12 @@ Result<Edit> edit_from(std::string_view name, const json& object) {
   if (name == AddModel::kName) {
     TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "object"));
     return AddModel{id};
+  }
+  if (name == AddTrial::kName) return add_trial(object);
+  if (name == JudgeTrial::kName) {
+    TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "trial"));
+    TROCAR_ASSIGN_OR_RETURN(std::string reason, text_at(object, "reason"));
+    return JudgeTrial{TrialId{id}, object.value("excluded", json(false)) == json(true), std::move(reason)};
   }
   if (name == RemoveModel::kName) {
     TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, id_at(object, "model"));

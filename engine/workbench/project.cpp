@@ -37,6 +37,9 @@ std::uint64_t Project::hash() const {
   for (const auto& [id, entry] : models) {
     hasher.value(id.value).text(entry->name).value(entry->segment).value(hash_of(*entry));
   }
+  for (const auto& [id, trial] : trials) {
+    hasher.text("trial").value(id.value).text(trial->name).value(trial->shown->hash()).value(trial->excluded);
+  }
   // Only what there is, so that a project in which nobody said anything has the hash that it always had.
   for (const auto& [id, document] : trash) hasher.text("trash").value(id.value).value(document->hash());
   for (const auto& [id, said] : marks) {

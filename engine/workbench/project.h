@@ -9,6 +9,7 @@
 #include "engine/core/id.h"
 #include "engine/demonstration/demonstration.h"
 #include "engine/learning/model.h"
+#include "engine/trial/trial_record.h"
 #include "engine/workbench/marks.h"
 
 namespace trocar::workbench {
@@ -28,9 +29,22 @@ struct ModelEntry {
   std::string created;                              ///< ISO 8601.
 };
 
+using TrialId = Id<struct TrialTag>;
+
+/// A trial that was run: its recording, seen as a demonstration that nobody edits, and its record.
+struct TrialEntry {
+  TrialId id;
+  std::string name;  ///< "SC 3"
+  std::shared_ptr<const demonstration::Demonstration> shown;
+  trial::TrialRecord record;
+  bool excluded = false;
+  std::string reason;  ///< Why it was excluded.
+};
+
 struct Project {
   std::map<DemonstrationId, std::shared_ptr<const demonstration::Demonstration>> demonstrations;
   std::map<ModelId, std::shared_ptr<const ModelEntry>> models;
+  std::map<TrialId, std::shared_ptr<const TrialEntry>> trials;
   /// What was deleted and can be restored.
   std::map<DemonstrationId, std::shared_ptr<const demonstration::Demonstration>> trash;
   /// Of those that something was said of, in the trash too; never null.

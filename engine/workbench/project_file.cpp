@@ -194,13 +194,14 @@ Result<std::vector<store::RecordingRow>> ProjectFile::Impl::cut_off() const {
   std::set<std::int64_t> named;
   for (const auto& [node, entry] : entries) {
     if (entry.name != AddDemonstration::kName && entry.name != ImportDemonstrations::kName &&
-        entry.name != PunchIn::kName) {
+        entry.name != PunchIn::kName && entry.name != AddTrial::kName) {
       continue;
     }
     const Result<Edit> edit = edit_from_json(entry.name, entry.parameters);
     if (!edit) continue;
     if (const auto* added = std::get_if<AddDemonstration>(&*edit)) named.insert(added->recording.value);
     if (const auto* punch = std::get_if<PunchIn>(&*edit)) named.insert(punch->take.recording.value);
+    if (const auto* trial = std::get_if<AddTrial>(&*edit)) named.insert(trial->recording.value);
     if (const auto* import = std::get_if<ImportDemonstrations>(&*edit)) {
       for (const ImportDemonstrations::Part& part : import->parts) named.insert(part.recording.value);
     }
@@ -272,6 +273,7 @@ Result<std::int64_t> ProjectFile::commit(const Edit& edit) {
   // A long recording is read before the transaction, so that other programs do not wait for it.
   if (const auto* added = std::get_if<AddDemonstration>(&edit)) (void)impl_->blobs.recording(added->recording);
   if (const auto* punch = std::get_if<PunchIn>(&edit)) (void)impl_->blobs.recording(punch->take.recording);
+  if (const auto* trial = std::get_if<AddTrial>(&edit)) (void)impl_->blobs.recording(trial->recording);
   Result<std::int64_t> node = impl_->commit([this, &edit]() -> Result<Edit> {
     Edit kept = edit;
     if (auto* change = std::get_if<EditDemonstration>(&kept)) {

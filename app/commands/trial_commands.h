@@ -1,0 +1,10 @@
+/// The verbs of `trocar trial`, in groups.
+#pragma once
+
+#include "app/options.h"
+
+namespace trocar::app {
+
+void add_trial_commands(CLI::App& root, Action& chosen);
+
+}  // namespace trocar::app
