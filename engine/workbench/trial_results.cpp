@@ -1,0 +1,110 @@
+#include "engine/workbench/trial_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "engine/statistics/summary.h"
+
+namespace trocar::workbench {
+namespace {
+
+using demonstration::Outcome;
+using trial::TrialRecord;
+
+std::string operator_of(const TrialRecord& record) {
+  return record.skill.empty() ? record.operator_kind : record.operator_kind + " " + record.skill;
+}
+
+ModeResults of_mode(const Trials& trials, trial::Mode mode) {
+  ModeResults results;
+  int counted = 0;
+  for (const auto& each : trials) {
+    const TrialRecord& record = each->record;
+    if (record.mode != mode) continue;
+    ++results.trials;
+    results.placed += record.placed ? 1 : 0;
+    results.dropped += record.outcome == Outcome::kDropped ? 1 : 0;
+    results.misses += record.counts.misses;
+    results.clutches += record.counts.clutches;
+    results.clutch_s += record.counts.clutch_s;
+    if (record.outcome != Outcome::kSuccess || !record.completion_s) continue;
+    ++results.succeeded;
+    ++counted;
+    results.completion_s.push_back(*record.completion_s);
+    results.path_m += record.metrics.path_length_m;
+    results.economy += record.metrics.economy;
+    results.smoothness += record.metrics.smoothness;
+    results.agent_share += record.metrics.agent_share;
+    for (std::size_t i = 0; i < results.segment_s.size(); ++i) results.segment_s[i] += record.counts.segment_s[i];
+  }
+  results.success = statistics::wilson_interval(results.succeeded, results.trials);
+  if (results.trials > 0) {
+    results.success_share = static_cast<double>(results.succeeded) / results.trials;
+    results.clutch_s /= results.trials;
+  }
+  if (counted == 0) return results;
+  for (double* mean : {&results.path_m, &results.economy, &results.smoothness, &results.agent_share}) *mean /= counted;
+  for (double& segment_s : results.segment_s) segment_s /= counted;
+  results.mean_s = statistics::mean(results.completion_s);
+  results.deviation_s = counted > 1 ? statistics::standard_deviation(results.completion_s) : 0.0;
+  results.median_s = statistics::median(results.completion_s);
+  return results;
+}
+
+PairedResults paired(const Trials& trials) {
+  using Key = std::tuple<std::string, std::string, std::uint64_t, int>;
+  std::map<Key, std::array<const TrialRecord*, 2>> pairs;
+  for (const auto& each : trials) {
+    const TrialRecord& record = each->record;
+    const Key key{record.subject, operator_of(record), record.seed, record.block};
+    // Run again, the last one counts.
+    pairs[key][record.mode == trial::Mode::kManual ? 0 : 1] = &record;
+  }
+  PairedResults results;
+  for (const auto& [key, both] : pairs) {
+    if (both[0] == nullptr || both[1] == nullptr) continue;
+    const bool manual = both[0]->outcome == Outcome::kSuccess;
+    const bool shared = both[1]->outcome == Outcome::kSuccess;
+    results.only_manual_succeeds += manual && !shared ? 1 : 0;
+    results.only_shared_succeeds += shared && !manual ? 1 : 0;
+    if (!manual || !shared || !both[0]->completion_s || !both[1]->completion_s) continue;
+    results.completion_s.push_back({*both[0]->completion_s, *both[1]->completion_s});
+    results.differences_s.push_back(*both[0]->completion_s - *both[1]->completion_s);
+  }
+  results.pairs = static_cast<int>(results.differences_s.size());
+  results.mcnemar_p = statistics::mcnemar_exact_p(results.only_manual_succeeds, results.only_shared_succeeds);
+  if (results.pairs > 0) results.mean_s = statistics::mean(results.differences_s);
+  if (results.pairs > 1) results.deviation_s = statistics::standard_deviation(results.differences_s);
+  results.normality = statistics::shapiro_wilk(results.differences_s);
+  results.t = statistics::paired_t(results.differences_s);
+  results.signed_rank = statistics::wilcoxon_signed_rank(results.differences_s);
+  return results;
+}
+
+}  // namespace
+
+Trials counted_trials(const Project& project, const std::string& session) {
+  Trials trials;
+  for (const auto& [id, trial] : project.trials) {
+    if (!trial->excluded && (session.empty() || trial->record.session == session)) trials.push_back(trial);
+  }
+  return trials;
+}
+
+TrialResults results_of(const Trials& trials) {
+  TrialResults results;
+  results.modes = {of_mode(trials, trial::Mode::kManual), of_mode(trials, trial::Mode::kShared)};
+  results.paired = paired(trials);
+  std::set<std::string> operators;
+  for (const auto& each : trials) {
+    operators.insert(operator_of(each->record));
+    results.scripted = results.scripted || each->record.operator_kind == "scripted";
+  }
+  results.operators.assign(operators.begin(), operators.end());
+  return results;
+}
+
+}  // namespace trocar::workbench

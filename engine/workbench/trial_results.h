@@ -1,0 +1,76 @@
+/// What the trials of a project say together: tidy tables, and manual against shared control as in section V.B.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/statistics/paired_tests.h"
+#include "engine/statistics/proportion.h"
+#include "engine/workbench/project.h"
+
+namespace trocar::workbench {
+
+using Trials = std::vector<std::shared_ptr<const TrialEntry>>;
+
+/// Those that count, by id: not excluded, of this session (""; all). A person's and a script's are never mixed: see
+/// `TrialResults::operators`.
+Trials counted_trials(const Project& project, const std::string& session);
+
+/// One row for each trial, excluded ones too, and one for each of its segments. Every row says who made it: "scripted"
+/// or "person".
+std::string trials_csv(const Project& project, const std::string& session);
+std::string segments_csv(const Project& project, const std::string& session);
+
+struct ModeResults {
+  int trials = 0;
+  int succeeded = 0;
+  int dropped = 0;
+  int placed = 0;
+  int misses = 0;
+  int clutches = 0;
+  double success_share = 0.0;
+  statistics::Interval success;   ///< Wilson, 95 %.
+  std::vector<double> completion_s;  ///< Of those that succeeded.
+  double mean_s = 0.0;
+  double deviation_s = 0.0;  ///< n − 1.
+  double median_s = 0.0;
+  double clutch_s = 0.0;     ///< A trial, mean.
+  double path_m = 0.0;       ///< Likewise.
+  double economy = 0.0;
+  double smoothness = 0.0;
+  double agent_share = 0.0;
+  std::array<double, demonstration::kSegmentCount> segment_s{};  ///< Mean of those that succeeded.
+};
+
+/// Trials of both modes that had the same seed, block, subject and skill, and both succeeded.
+struct PairedResults {
+  int pairs = 0;
+  std::vector<double> differences_s;  ///< Completion, MT − SC: above 0 shared control was faster.
+  std::vector<std::array<double, 2>> completion_s;
+  double mean_s = 0.0;
+  double deviation_s = 0.0;
+  statistics::Normality normality;
+  statistics::PairedT t;
+  statistics::SignedRank signed_rank;
+  int only_manual_succeeds = 0;
+  int only_shared_succeeds = 0;
+  double mcnemar_p = 1.0;
+};
+
+struct TrialResults {
+  std::array<ModeResults, 2> modes;  ///< MT, SC.
+  PairedResults paired;
+  std::vector<std::string> operators;  ///< "scripted expert", "person" …: whose trials these are.
+  bool scripted = false;               ///< Any of them: to be labelled so wherever they are shown.
+};
+TrialResults results_of(const Trials& trials);
+
+/// What a person reads: one line each, without a judgement that the numbers do not carry.
+std::string results_text(const TrialResults& results);
+/// The same as a page of its own, without anything from elsewhere.
+std::string results_html(const TrialResults& results, const std::string& title);
+
+}  // namespace trocar::workbench
