@@ -63,7 +63,7 @@ void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settin
 enum class BarWords : std::uint8_t { kAll, kIcons, kOneMenu };
 
 constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceCommands{"view.library", "view.author", "view.fields",
-                                                                           "view.rollouts"};
+                                                                           "view.rollouts", "view.trials"};
 
 struct Lamp {
   std::string label;

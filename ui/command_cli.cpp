@@ -11,9 +11,11 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 75> kEquivalents{{
+constexpr std::array<Equivalent, 77> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
+    {"trials.start", "trocar trial run P --mode MT|SC"},
+    {"trials.", "trocar trial run P --mode MT|SC"},
     {"file.import", "trocar demo import P FILE"},
     {"file.export_demonstrations", "trocar demo export P DEMO FILE"},
     {"file.export_video", "trocar video render P DEMO --out F.mp4"},

@@ -31,6 +31,7 @@ std::span<const RowData> clipboard_rows();
 std::span<const RowData> edit_rows();
 std::span<const RowData> modify_rows();
 std::span<const RowData> record_rows();
+std::span<const RowData> trial_rows();
 std::span<const RowData> selection_rows();
 std::span<const RowData> review_rows();
 std::span<const RowData> tool_rows();

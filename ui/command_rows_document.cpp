@@ -323,6 +323,7 @@ std::string cannot_change(const State& state) {
 
 std::string cannot_edit(const State& state) {
   if (std::string reason = cannot_change(state); !reason.empty()) return reason;
+  if (selected_trial(state) != nullptr) return "What was recorded of a trial stays as it is";
   return state.live ? "A transfer is being recorded" : no_demonstration(state);
 }
 

@@ -15,9 +15,9 @@ using State = WorkbenchState;
 
 std::vector<CommandRow> make_table() {
   std::vector<CommandRow> table;
-  for (const auto rows :
-       {file_rows(), undo_rows(), clipboard_rows(), edit_rows(), modify_rows(), record_rows(), review_rows(),
-        selection_rows(), tool_rows(), view_rows(), panel_rows(), layout_rows(), transport_rows(), help_rows()}) {
+  for (const auto rows : {file_rows(), undo_rows(), clipboard_rows(), edit_rows(), modify_rows(), record_rows(),
+                          trial_rows(), review_rows(), selection_rows(), tool_rows(), view_rows(), panel_rows(),
+                          layout_rows(), transport_rows(), help_rows()}) {
     for (const RowData& row : rows) {
       table.push_back(
           {row.id, row.menu, row.title, row.help, row.icon, {}, row.separator, row.context, row.reason, row.run});
@@ -90,7 +90,15 @@ std::vector<const CommandRow*> search_commands(std::string_view typed) {
 std::shared_ptr<const demonstration::Demonstration> selected_demonstration(const State& state) {
   if (state.project == nullptr) return nullptr;
   const auto found = state.project->demonstrations.find(state.demonstration);
-  return found == state.project->demonstrations.end() ? nullptr : found->second;
+  if (found != state.project->demonstrations.end()) return found->second;
+  const auto trial = selected_trial(state);
+  return trial == nullptr ? nullptr : trial->shown;
+}
+
+std::shared_ptr<const workbench::TrialEntry> selected_trial(const State& state) {
+  if (state.project == nullptr) return nullptr;
+  const auto found = state.project->trials.find(workbench::TrialId{state.demonstration.value});
+  return found == state.project->trials.end() ? nullptr : found->second;
 }
 
 std::shared_ptr<const workbench::ModelEntry> selected_model(const State& state) {

@@ -45,8 +45,10 @@ const CommandRow& command(std::string_view id);
 /// The rows that the palette offers for what was typed, best first: every word must be found in title, menu or help.
 std::vector<const CommandRow*> search_commands(std::string_view typed);
 
-/// The selected demonstration or model; null if there is none.
+/// The selected demonstration or model; null if there is none. What was recorded of a trial is looked at as a
+/// demonstration, but not edited: then `selected_trial` is it.
 std::shared_ptr<const demonstration::Demonstration> selected_demonstration(const WorkbenchState& state);
+std::shared_ptr<const workbench::TrialEntry> selected_trial(const WorkbenchState& state);
 std::shared_ptr<const workbench::ModelEntry> selected_model(const WorkbenchState& state);
 
 }  // namespace trocar::ui

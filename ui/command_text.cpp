@@ -343,6 +343,27 @@ std::string video_text(const ExportVideo& video, const std::string& project) {
   return text;
 }
 
+/// Of a person there is none: nobody sits at the command line.
+std::string trials_text(const StartTrials& trials, const std::string& project) {
+  if (trials.person) return "";
+  const TrialPlan& plan = trials.plan;
+  const trial::TrialOptions& options = plan.options;
+  std::string text = "trocar trial run " + project;
+  if (trials.protocol.empty()) {
+    text += fmt::format(" --mode {} --transfers {}", trial::to_string(options.mode), plan.transfers);
+    const std::string delay = control::to_string(options.delay);
+    if (delay != "0") text += " --delay-ms " + delay;
+  } else {
+    text += fmt::format(" --protocol {} --subject-number {}", shell_word(trials.protocol), trials.subject_number);
+  }
+  text += fmt::format(" --skill {} --seed {}", trial::to_string(options.skill), plan.seed);
+  if (plan.same_block) text += fmt::format(" --block {}", plan.first_block);
+  if (!plan.same_block && plan.first_block != 0) text += fmt::format(" --first-block {}", plan.first_block);
+  if (options.anchor != trial::Anchor::kBoard) text += " --anchor target";
+  if (options.agent_rate_hz != 20.0) text += fmt::format(" --agent-rate {:g}", options.agent_rate_hz);
+  return text;
+}
+
 std::string batch_text(const BatchRequest& request, const std::string& project) {
   std::string text = "trocar demo batch " + project;
   for (const DemonstrationId id : request.demonstrations) text += fmt::format(" --demo {}", id.value);
@@ -385,6 +406,11 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
     return (open->create ? "trocar new " : "trocar-workbench ") + shell_word(open->path.string());
   }
   if (const auto* record = std::get_if<RecordScripted>(&command)) return record_text(*record, project);
+  if (const auto* trials = std::get_if<StartTrials>(&command)) return trials_text(*trials, project);
+  if (const auto* out = std::get_if<ExportTrials>(&command)) {
+    return fmt::format("trocar trial results {} {} {}", project,
+                       out->path.extension() == ".html" ? "--report" : "--trials", shell_word(out->path.string()));
+  }
   if (const auto* train = std::get_if<TrainModel>(&command)) return train_text(*train, project);
   if (std::holds_alternative<MakeImport>(command)) return import_text(state, project);
   if (const auto* out = std::get_if<ExportDemonstrations>(&command)) return export_text(*out, project);

@@ -61,5 +61,6 @@ constexpr const char* kDownload = "\xef\x80\x99";   // f019
 constexpr const char* kPencil = "\xef\x81\x80";     // f040
 constexpr const char* kExpand = "\xef\x81\xa5";     // f065
 constexpr const char* kBalance = "\xef\x89\x8e";    // f24e
+constexpr const char* kUsers = "\xef\x83\x80";      // f0c0
 
 }  // namespace trocar::ui::icon

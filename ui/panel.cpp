@@ -13,6 +13,7 @@
 #include "ui/panels/rollouts_panel.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/panels/train_panel.h"
+#include "ui/panels/trials_panel.h"
 #include "ui/panels/view_panel.h"
 
 namespace trocar::ui {
@@ -47,6 +48,8 @@ std::unique_ptr<Panel> make_panel(PanelId panel, const std::shared_ptr<SharedTim
       return std::make_unique<CurvesPanel>(time);
     case PanelId::kModels:
       return std::make_unique<ModelsPanel>();
+    case PanelId::kTrials:
+      return std::make_unique<TrialsPanel>();
     case PanelId::kDiff:
       return std::make_unique<DiffPanel>(time);
   }

@@ -106,6 +106,17 @@ constexpr PanelPage kDiff{"Compares the demonstration with its original, its pas
                           {"view.diff", "view.comparison"},
                           {}};
 
+constexpr PanelPage kTrials{
+    "Manual and shared-control trials",
+    "Blocks of transfers by a script or a person, each arm behind the guard; the agent moves in A and C while its "
+    "pedal is "
+    "held. Every trial stays with its record, replays to the bit, and is compared with the others on the page Results.",
+    {"trials."},
+    {{{"Stop, at once", "Esc, or the red button: a soft stop"},
+      {"Let the agent run", "Hold Space"},
+      {"Move the left tool", "W S A D Q E; Z X turn it"},
+      {"Open or shut its jaws", "C"}}}};
+
 }  // namespace
 
 const PanelPage& page_of(PanelId panel) {
@@ -138,6 +149,8 @@ const PanelPage& page_of(PanelId panel) {
       return kCurves;
     case PanelId::kModels:
       return kModels;
+    case PanelId::kTrials:
+      return kTrials;
     case PanelId::kDiff:
       return kDiff;
   }

@@ -19,8 +19,17 @@ bool take_goes_on(const WorkbenchState& state) {
   return state.live && state.take && !state.take->reviewing;
 }
 
+bool trial_goes_on(const WorkbenchState& state) {
+  return state.live && state.live->trial && state.trials && state.trials->request.person;
+}
+
 bool TakeKeys::claims(const Chord& chord, const WorkbenchState& state) {
-  if (!take_goes_on(state) || chord.modifiers.control || chord.modifiers.alt) return false;
+  const bool in_trial = trial_goes_on(state);
+  if ((!in_trial && !take_goes_on(state)) || chord.modifiers.control || chord.modifiers.alt) return false;
+  if (in_trial) {
+    const int key = static_cast<int>(chord.key);
+    return chord.key == Key::kSpace || (key > 0 && key < 128 && KeyboardHands::means(static_cast<HandKey>(key)));
+  }
   if (chord.key == Key::kEnter) return state.take->request.options.mode == trial::HandMode::kWaypoint;
   // What would play the demonstration that is selected.
   if (chord.key == Key::kSpace) return state.live->status.phase != trial::Phase::kCountdown;
@@ -42,14 +51,20 @@ std::vector<trial::HandEvent> TakeKeys::follow_gamepad(const std::optional<trial
 Requests TakeKeys::follow(const Ui& ui, const WorkbenchState& state, bool free) {
   const InputQueue& input = ui.input();
   std::vector<trial::HandEvent> events;
-  const bool taking = take_goes_on(state) && free;
+  const bool in_trial = trial_goes_on(state);
+  const bool taking = (take_goes_on(state) || in_trial) && free;
   if (taking && !taking_) {
-    keyboard_ = KeyboardHands({state.take->request.options.mode});
+    keyboard_ = KeyboardHands({in_trial ? trial::HandMode::kContinuous : state.take->request.options.mode});
     stick_ = {};
   }
-  if (taking) events = follow_gamepad(ui.gamepad(), state);
+  if (taking && !in_trial) events = follow_gamepad(ui.gamepad(), state);
   if (!taking && taking_) events = keyboard_.release_all();
   taking_ = taking;
+  // The left pedal: what has no keyboard any more is let go.
+  if (const bool pedal = in_trial && taking && input.down(Key::kSpace); pedal != pedal_) {
+    events.emplace_back(trial::HoldAgentPedal{pedal});
+    pedal_ = pedal;
+  }
   const Modifiers held = input.modifiers();
   for (int code = 1; taking && code < 128; ++code) {
     const auto key = static_cast<HandKey>(code);

@@ -24,8 +24,11 @@ class TakeKeys {
   trial::KeyboardHands keyboard_;
   trial::StickHands stick_;
   bool taking_ = false;
+  bool pedal_ = false;  ///< Space is held, in a trial.
 };
 
+/// A person drives the left tool of a trial.
+bool trial_goes_on(const WorkbenchState& state);
 /// A take by hand goes on: the tools can be driven.
 bool take_goes_on(const WorkbenchState& state);
 

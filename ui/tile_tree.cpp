@@ -15,14 +15,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, kPanelCount> kTitles{"Library", "View",      "Timeline", "Fields", "Rollouts",
-                                                            "Train",   "Inspector", "History",  "Jobs",   "Log",
-                                                            "Edits",   "Problems",  "Curves",   "Diff",   "Models"};
+constexpr std::array<std::string_view, kPanelCount> kTitles{
+    "Library", "View", "Timeline", "Fields",   "Rollouts", "Train", "Inspector", "History",
+    "Jobs",    "Log",  "Edits",    "Problems", "Curves",   "Diff",  "Models",    "Trials"};
 constexpr std::array<const char*, kPanelCount> kIcons{icon::kTable, icon::kCube,   icon::kSliders, icon::kThLarge,
                                                       icon::kRoad,  icon::kTrain,  icon::kInfo,    icon::kHistory,
                                                       icon::kTasks, icon::kList,   icon::kPencil,  icon::kWarning,
-                                                      icon::kChart, icon::kBranch, icon::kBalance};
-constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceTitles{"Library", "Author", "Fields", "Rollouts"};
+                                                      icon::kChart, icon::kBranch, icon::kBalance, icon::kUsers};
+constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceTitles{"Library", "Author", "Fields", "Rollouts",
+                                                                         "Trials"};
 
 Tile tabs(std::vector<PanelId> panels) {
   Tile tile;
@@ -302,7 +303,7 @@ const char* icon_of(PanelId panel) {
 
 PanelId main_panel(Workspace workspace) {
   constexpr std::array<PanelId, kWorkspaceCount> kMain{PanelId::kLibrary, PanelId::kTimeline, PanelId::kFields,
-                                                       PanelId::kRollouts};
+                                                       PanelId::kRollouts, PanelId::kTrials};
   return kMain[static_cast<std::size_t>(workspace)];
 }
 
@@ -367,24 +368,29 @@ Tile default_layout(Workspace workspace) {
                    {split(column, {0.72F, 0.28F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog})}),
                     split(column, {0.52F, 0.48F},
                           {tabs({kView}), tabs({kInspector, kEdits, kTrain, kTimeline, kCurves, kDiff, kFields, kModels,
-                                                kRollouts})})});
+                                                kRollouts, kTrials})})});
     case Workspace::kAuthor:
       return split(row, {0.245F, 0.515F, 0.24F},
                    {split(column, {0.64F, 0.36F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog})}),
                     split(column, {0.54F, 0.46F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kInspector, kEdits, kTrain, kFields, kModels, kRollouts})});
+                    tabs({kInspector, kEdits, kTrain, kFields, kModels, kRollouts, kTrials})});
     case Workspace::kFields:
       return split(row, {0.235F, 0.405F, 0.36F},
                    {split(column, {0.6F, 0.4F},
                           {tabs({kLibrary}), tabs({kTrain, kInspector, kEdits, kHistory, kProblems, kJobs, kLog})}),
                     split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kFields, kModels, kRollouts})});
+                    tabs({kFields, kModels, kRollouts, kTrials})});
     case Workspace::kRollouts:
       return split(row, {0.235F, 0.385F, 0.38F},
                    {split(column, {0.6F, 0.4F},
                           {tabs({kLibrary}), tabs({kTrain, kInspector, kEdits, kHistory, kProblems, kJobs, kLog})}),
                     split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kRollouts, kFields, kModels})});
+                    tabs({kRollouts, kFields, kModels, kTrials})});
+    case Workspace::kTrials:
+      return split(row, {0.20F, 0.46F, 0.34F},
+                   {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog, kTrain})}),
+                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
+                    tabs({kTrials, kInspector, kEdits, kFields, kModels, kRollouts})});
   }
   return tabs({kView});
 }

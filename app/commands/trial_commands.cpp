@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "app/commands/trial_commands.h"
 #include "app/lookup.h"
 #include "app/options.h"
@@ -11,6 +14,8 @@ namespace {
 struct RunTrialArguments {
   std::string project;
   std::string mode;
+  std::string protocol;
+  int subject_number = 0;
   std::vector<std::string> model_a;
   std::vector<std::string> model_c;
   std::string operator_kind = "scripted";
@@ -28,8 +33,11 @@ void bind_run(CLI::App& verb, RunTrialArguments& arguments) {
   workbench::TrialPlan& plan = arguments.plan;
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("--mode", arguments.mode, "MT: the operator does A to D; SC: the agent moves in A and C")
-      ->required()
       ->check(CLI::IsMember({"MT", "SC"}));
+  verb.add_option("--protocol", arguments.protocol,
+                  "Whole blocks instead: sim or dvrk, the paper's two, or F.json; their order is the subject's");
+  verb.add_option("--subject-number", arguments.subject_number, "From 0: which order of blocks; and the seed draws")
+      ->check(CLI::Range(0, 9999));
   verb.add_option("--model-a", arguments.model_a,
                   "Model of segment A; several: the one of the block's own demonstration serves")
       ->take_all();
@@ -51,6 +59,8 @@ void bind_run(CLI::App& verb, RunTrialArguments& arguments) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   verb.add_option("--block", arguments.block, "Each transfer takes this block")->check(CLI::Range(0, 5));
+  verb.add_option("--first-block", plan.first_block, "The first transfer takes this one, the next ones those after it")
+      ->check(CLI::Range(0, 5));
   add_seed(verb, plan.seed, "Of the first transfer; the next ones count up. The same for both modes: the same scenes");
   verb.add_option("--agent-rate", plan.options.agent_rate_hz, "Cells a second")
       ->check(CLI::Range(1.0, 40.0))
@@ -113,10 +123,31 @@ std::string row_of(const workbench::TrialEntry& trial) {
                      record.placed ? "placed" : "not placed", trial.excluded ? "  excluded: " + trial.reason : "");
 }
 
+Result<std::vector<workbench::RanTrial>> run_protocol(const workbench::Project& project, workbench::TrialPlan plan,
+                                                      const RunTrialArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(const trial::Protocol protocol, trial::find_protocol(arguments.protocol));
+  plan.options.time_limit_s = protocol.transfer_s;
+  const std::vector<trial::ProtocolBlock> blocks = order_for(protocol, arguments.subject_number, plan.seed);
+  std::vector<workbench::RanTrial> all;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    TROCAR_ASSIGN_OR_RETURN(const workbench::TrialPlan of_block, workbench::plan_of(plan, blocks, i));
+    TROCAR_ASSIGN_OR_RETURN(std::vector<workbench::RanTrial> ran,
+                            workbench::run_block(project, of_block, blocks[i], console.progress()));
+    std::move(ran.begin(), ran.end(), std::back_inserter(all));
+    console.progress().set((static_cast<double>(i) + 1.0) / static_cast<double>(blocks.size()));
+  }
+  return all;
+}
+
 Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(workbench::ProjectFile file, open_to_edit(arguments.project, console, Models::kWhole));
   workbench::TrialPlan plan = arguments.plan;
-  TROCAR_ASSIGN_OR_RETURN(plan.options.mode, trial::mode_from(arguments.mode));
+  if (arguments.mode.empty() == arguments.protocol.empty()) {
+    return fail(ErrorCode::kInvalidArgument, "say --mode MT or --mode SC, or a --protocol with its blocks");
+  }
+  if (!arguments.mode.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(plan.options.mode, trial::mode_from(arguments.mode));
+  }
   TROCAR_ASSIGN_OR_RETURN(plan.options.skill, trial::skill_from(arguments.skill));
   TROCAR_ASSIGN_OR_RETURN(plan.options.delay, control::delay_from(arguments.delay));
   plan.options.anchor = kAnchors.at(arguments.anchor);
@@ -138,8 +169,12 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
     }
   }
   const double begin_s = console.clock->now_s();
-  TROCAR_ASSIGN_OR_RETURN(const std::vector<workbench::RanTrial> ran,
-                          workbench::run_trials(*file.project(), plan, console.progress()));
+  std::vector<workbench::RanTrial> ran;
+  if (arguments.protocol.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(ran, workbench::run_trials(*file.project(), plan, console.progress()));
+  } else {
+    TROCAR_ASSIGN_OR_RETURN(ran, run_protocol(*file.project(), plan, arguments, console));
+  }
   const double wall_s = console.clock->now_s() - begin_s;
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   Answer answer;
@@ -148,7 +183,7 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
   double simulated_s = 0.0;
   for (const workbench::RanTrial& each : ran) {
     TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId recording, file.store_recording(each.recording));
-    const std::string name = workbench::trial_name(*file.project(), plan.options.mode);
+    const std::string name = workbench::trial_name(*file.project(), each.record.mode);
     TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.commit(workbench::AddTrial{recording, name, each.record}));
     const auto& entry = file.project()->trials.at(workbench::TrialId{id});
     answer.json["trials"].push_back(json_of(*entry));
@@ -280,6 +315,7 @@ void add_trial_commands(CLI::App& root, Action& chosen) {
                            replay_trial);
   add_verb<TrialArguments>(noun, chosen, "judge", "Exclude a trial from the results, or include it again", bind_judge,
                            judge_trial);
+  add_trial_results_command(noun, chosen);
 }
 
 }  // namespace trocar::app

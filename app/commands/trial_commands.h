@@ -6,5 +6,6 @@
 namespace trocar::app {
 
 void add_trial_commands(CLI::App& root, Action& chosen);
+void add_trial_results_command(CLI::App& noun, Action& chosen);
 
 }  // namespace trocar::app

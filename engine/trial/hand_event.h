@@ -44,6 +44,10 @@ struct ToggleJaw {
 struct HoldClutch {
   bool down = false;
 };
+/// The left pedal of a trial: the agent may move while it is down.
+struct HoldAgentPedal {
+  bool down = false;
+};
 /// To the waypoints that are set, by minimum jerk.
 struct GoToWaypoint {};
 
@@ -54,7 +58,7 @@ struct PauseTake {
 struct BeginTake {};
 struct EndTake {};
 
-using HandEvent = std::variant<DriveTool, StepTool, ShiftTool, PlaceTool, ToggleJaw, HoldClutch, GoToWaypoint,
-                               PauseTake, BeginTake, EndTake>;
+using HandEvent = std::variant<DriveTool, StepTool, ShiftTool, PlaceTool, ToggleJaw, HoldClutch, HoldAgentPedal,
+                               GoToWaypoint, PauseTake, BeginTake, EndTake>;
 
 }  // namespace trocar::trial

@@ -163,6 +163,8 @@ struct HandSession::Impl {
       if (ToolHand* hand = hand_of(side)) hand->hold_clutch(event.down);
     }
   }
+  /// No agent moves anything in a take.
+  static void on(const HoldAgentPedal&) {}
   void on(const GoToWaypoint&) {
     for (const ArmSide side : kinematics::kArmSides) {
       if (ToolHand* hand = hand_of(side)) hand->go();

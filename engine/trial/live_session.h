@@ -9,6 +9,7 @@
 
 #include "engine/demonstration/recording.h"
 #include "engine/simulation/world_state.h"
+#include "engine/trial/trial_status.h"
 
 namespace trocar::trial {
 
@@ -68,6 +69,9 @@ class LiveSession {
   /// State hashes at the start, every second, and at the end.
   virtual std::vector<demonstration::HashMark> take_marks() = 0;
   virtual std::vector<TakeNote> take_notes() { return {}; }
+  /// Of a trial; nothing else has them.
+  virtual std::optional<TrialStatus> trial_status() const { return std::nullopt; }
+  virtual std::vector<TrialEvent> take_events() { return {}; }
 };
 
 }  // namespace trocar::trial

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/core/spsc_queue.h"
 #include "engine/trial/arm_drive.h"
 #include "engine/trial/guarded_arm.h"
 #include "engine/trial/hand_line.h"
@@ -272,6 +273,7 @@ struct SharedControlSession::Impl {
 
   void step() {
     stopping = stop_asked.exchange(false);
+    while (std::optional<std::string> incident = incidents.pop()) log(TrialEventKind::kIncident, std::move(*incident));
     if (sub == 0) ask_inputs();
     const bool anybody = line.any();
     line.receive(now());
@@ -421,6 +423,7 @@ struct SharedControlSession::Impl {
   std::vector<demonstration::HashMark> marks;
   std::vector<TrialEvent> events;
   std::atomic<bool> stop_asked{false};
+  SpscQueue<std::string> incidents{64};
 };
 
 Result<std::unique_ptr<SharedControlSession>> SharedControlSession::create(TrialOptions options, TrialInputs inputs) {
@@ -441,8 +444,8 @@ const demonstration::Provenance& SharedControlSession::provenance() const {
 void SharedControlSession::stop() {
   impl_->stop_asked.store(true);
 }
-void SharedControlSession::mark_incident(const std::string& text) {
-  impl_->log(TrialEventKind::kIncident, text);
+void SharedControlSession::mark_incident(std::string text) {
+  static_cast<void>(impl_->incidents.push(std::move(text)));
 }
 void SharedControlSession::step() {
   if (!impl_->ended) impl_->step();
@@ -484,7 +487,7 @@ std::optional<double> SharedControlSession::completion_s() const {
   return at->seconds();
 }
 
-TrialStatus SharedControlSession::trial_status() const {
+std::optional<TrialStatus> SharedControlSession::trial_status() const {
   Impl& impl = *impl_;
   TrialStatus status;
   status.state = impl.machine.state();

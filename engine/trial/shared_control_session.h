@@ -3,30 +3,11 @@
 
 #include <memory>
 
-#include "engine/control/authority.h"
 #include "engine/trial/live_session.h"
 #include "engine/trial/operator_input.h"
 #include "engine/trial/trial_options.h"
 
 namespace trocar::trial {
-
-/// What of a trial is shown while it runs.
-struct TrialStatus {
-  control::ControlState state = control::ControlState::kReady;
-  bool agent_pedal = false;
-  bool clutch_pedal = false;
-  int agent_presses = 0;
-  bool pedal_stuck = false;
-  Agent::State agent = Agent::State::kIdle;
-  std::string agent_refusal;  ///< Why the agent cannot have the arm now; "" if it can.
-  std::string guard;          ///< Why the guard holds; "" if it does not.
-  double tool_speed_m_s = 0.0;
-  double to_block_m = 0.0;
-  double error_m = 0.0;  ///< From where the tool was told to be to where it is.
-  double delay_s = 0.0;  ///< Of the last message.
-  double segment_s = 0.0;
-  TrialCounts counts;
-};
 
 /// Where the operator's hand and pedals come from, if not from the script.
 struct TrialInputs {
@@ -50,8 +31,8 @@ class SharedControlSession final : public LiveSession {
 
   /// From any other thread as well: takes effect in the next tick.
   void stop();
-  /// Marks an instant for review.
-  void mark_incident(const std::string& text);
+  /// Marks an instant for review; likewise.
+  void mark_incident(std::string text);
 
   void step() override;
   bool done() const override;
@@ -64,10 +45,10 @@ class SharedControlSession final : public LiveSession {
   std::vector<demonstration::Sample> take_samples() override;
   std::vector<demonstration::HashMark> take_marks() override;
 
-  TrialStatus trial_status() const;
+  std::optional<TrialStatus> trial_status() const override;
   /// When the outcome was decided, from the beginning; nothing if it was not.
   std::optional<double> completion_s() const;
-  std::vector<TrialEvent> take_events();
+  std::vector<TrialEvent> take_events() override;
 
  private:
   struct Impl;

@@ -26,6 +26,7 @@
 #include "engine/workbench/field_settings.h"
 #include "engine/workbench/import_settings.h"
 #include "engine/workbench/job_view.h"
+#include "engine/workbench/trial_plan.h"
 
 namespace trocar::workbench {
 
@@ -250,6 +251,34 @@ struct JudgeTake {
   TakeVerdict verdict = TakeVerdict::kKeep;
 };
 
+/// The blocks of a protocol, one after the other, each started by the operator; without a protocol one block of
+/// `plan.transfers`.
+struct StartTrials {
+  TrialPlan plan;          ///< Of every block; mode and delay are the block's.
+  std::string protocol;    ///< As `trial::find_protocol` takes it; "": none.
+  int subject_number = 0;  ///< For the order of blocks.
+  std::uint64_t order_seed = 1;
+  bool person = false;  ///< At the keyboard; else the scripted operator of the plan's skill.
+  bool realtime = true;
+};
+/// The next block of those that were prepared.
+struct StartBlock {};
+/// Between two transfers; false goes on.
+struct PauseTrials {
+  bool paused = true;
+};
+/// Presses stop: the tool holds, the transfer is over as aborted, and the block pauses.
+struct StopTrial {};
+/// Gives the rest of the blocks up; a transfer that runs is kept as interrupted.
+struct EndTrials {};
+struct MarkIncident {
+  std::string text;
+};
+/// Writes the trials: a row for each as .csv, both modes compared as .html.
+struct ExportTrials {
+  std::filesystem::path path;
+};
+
 struct TrainModel {
   std::vector<DemonstrationId> demonstrations;
   demonstration::Segment segment = demonstration::Segment::kA;
@@ -329,6 +358,7 @@ using Command =
                  SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, RecordScripted, StopRecording,
                  RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration,
                  FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport, MakeImport,
-                 ExportDemonstrations, CancelJob, Report>;
+                 ExportDemonstrations, CancelJob, Report, StartTrials, StartBlock, PauseTrials, StopTrial, EndTrials,
+                 MarkIncident, ExportTrials>;
 
 }  // namespace trocar::workbench

@@ -33,10 +33,41 @@ Result<std::unique_ptr<LiveRecording>> LiveRecording::start(ProjectFile& file, c
   return recording;
 }
 
+Result<std::unique_ptr<LiveRecording>> LiveRecording::start(ProjectFile& file, const TrialStart& request) {
+  TROCAR_ASSIGN_OR_RETURN(trial::TrialOptions options, options_of(*file.project(), request.plan, request.transfer));
+  Trial trial{request, nullptr, nullptr, {}, {}};
+  trial::TrialInputs inputs;
+  if (request.person) {
+    const spatial::Pose ready = kinematics::ready_pose(kinematics::ArmSide::kLeft);
+    trial.person = std::make_unique<trial::EventOperator>(kinematics::ArmSide::kLeft, control::ToolCommand{ready, 0.0},
+                                                          options.scale);
+    inputs.user = trial.person.get();
+  }
+  TROCAR_ASSIGN_OR_RETURN(auto session, trial::SharedControlSession::create(std::move(options), inputs));
+  trial.session = session.get();
+  TakeWriter writer(file, session->provenance(), trial_name(*file.project(), request.plan.options.mode));
+  std::unique_ptr<LiveRecording> recording(new LiveRecording(std::move(writer), std::move(session), request.realtime));
+  recording->file_ = &file;
+  recording->trial_ = std::move(trial);
+  recording->verdict_ = true;
+  return recording;
+}
+
 LiveRecording::LiveRecording(TakeWriter writer, std::unique_ptr<trial::LiveSession> session, bool realtime)
     : writer_(std::move(writer)), runner_(std::move(session), realtime) {}
 
+void LiveRecording::stop_trial() {
+  if (trial_) trial_->session->stop();
+}
+
+void LiveRecording::mark_incident(std::string text) {
+  if (trial_) trial_->session->mark_incident(std::move(text));
+}
+
 void LiveRecording::post(const HandInput& input) {
+  if (trial_ && trial_->person) {
+    for (const trial::HandEvent& event : input.events) trial_->person->post(event);
+  }
   if (hand_ == nullptr) return;
   for (const trial::HandEvent& event : input.events) hand_->post(event);
 }
@@ -74,6 +105,11 @@ std::optional<LiveRecording::End> LiveRecording::poll() {
       return End{tl::unexpected(written.error()), {}};
     }
     trace_.add(batch->part.samples);
+    if (trial_) {
+      const TakePart& part = batch->part;
+      trial_->samples.insert(trial_->samples.end(), part.samples.begin(), part.samples.end());
+      trial_->events.insert(trial_->events.end(), part.events.begin(), part.events.end());
+    }
     if (batch->last) last_ = std::move(batch);
   }
   if (!last_) return std::nullopt;
@@ -83,12 +119,29 @@ std::optional<LiveRecording::End> LiveRecording::poll() {
   return std::nullopt;
 }
 
+/// The thread has ended: the session is the main thread's now.
+LiveRecording::End LiveRecording::conclude_trial() {
+  trial::TrialRecord record =
+      record_of(*trial_->session, trial_->request.plan, trial_->request.transfer, trial_->samples, trial_->events);
+  // Ended by the runner, in the middle of it.
+  record.interrupted = !trial_->session->done();
+  if (record.interrupted) record.outcome = demonstration::Outcome::kAborted;
+  const Result<demonstration::RecordingId> recording = writer_.finish_recording(record.outcome, record.placed);
+  if (!recording) return {tl::unexpected(recording.error()), {}, {}};
+  const Result<std::int64_t> node = file_->commit(AddTrial{*recording, writer_.name(), record});
+  if (!node) return {tl::unexpected(node.error()), {}, {}};
+  std::string message = fmt::format("Trial \"{}\": {}", writer_.name(), demonstration::to_string(record.outcome));
+  if (record.completion_s) message += fmt::format(" after {:.1f} s", *record.completion_s);
+  return {DemonstrationId{*node}, std::move(message), std::move(record)};
+}
+
 LiveRecording::End LiveRecording::conclude() {
   if (!verdict_.value_or(true)) {
     // Left unfinished it would be recovered as if a crash had cut it off.
     if (Status gone = writer_.discard(); !gone) return {tl::unexpected(std::move(gone).error()), {}};
     return {fail(ErrorCode::kCancelled, "the recording was discarded"), {}};
   }
+  if (trial_) return conclude_trial();
   const Result<DemonstrationId> id = writer_.finish(last_->outcome, last_->placed);
   if (!id) return {id, {}};
   if (writer_.target()) {

@@ -6,7 +6,10 @@
 #include <string>
 
 #include "engine/core/result.h"
+#include "engine/trial/event_operator.h"
+#include "engine/trial/shared_control_session.h"
 #include "engine/workbench/command.h"
+#include "engine/workbench/jobs/trial_job.h"
 #include "engine/workbench/live_runner.h"
 #include "engine/workbench/live_trace.h"
 #include "engine/workbench/project_file.h"
@@ -14,6 +17,14 @@
 #include "engine/workbench/take_writer.h"
 
 namespace trocar::workbench {
+
+/// One transfer of the plan, live.
+struct TrialStart {
+  TrialPlan plan;
+  int transfer = 0;
+  bool person = false;  ///< At the keyboard; else the plan's scripted operator.
+  bool realtime = true;
+};
 
 /// Threads: the main thread. The project file must outlive it and stay where it is.
 class LiveRecording {
@@ -24,13 +35,21 @@ class LiveRecording {
   /// `HandSession::create`.
   static Result<std::unique_ptr<LiveRecording>> start(ProjectFile& file, const RecordByHand& request);
 
+  /// One transfer of a block of trials. Errors: those of `options_of` and `SharedControlSession::create`.
+  static Result<std::unique_ptr<LiveRecording>> start(ProjectFile& file, const TrialStart& request);
+
   /// What became of it, once it has ended.
   struct End {
     Result<DemonstrationId> demonstration;  ///< kCancelled if it was discarded.
     std::string message;
+    std::optional<trial::TrialRecord> trial;  ///< Of a trial, whose id `demonstration` then is.
   };
   /// Writes what arrived; the end, once.
   std::optional<End> poll();
+
+  /// Of a trial: presses stop, now; marks an instant.
+  void stop_trial();
+  void mark_incident(std::string text);
 
   /// What the operator does; no effect on a scripted transfer.
   void post(const HandInput& input);
@@ -51,10 +70,22 @@ class LiveRecording {
   LiveRecording(TakeWriter writer, std::unique_ptr<trial::LiveSession> session, bool realtime);
   End conclude();
   void ask_for_verdict();
+  End conclude_trial();
 
+  /// What a trial needs besides.
+  struct Trial {
+    TrialStart request;
+    trial::SharedControlSession* session = nullptr;  ///< The runner's.
+    std::unique_ptr<trial::EventOperator> person;
+    std::vector<demonstration::Sample> samples;
+    std::vector<trial::TrialEvent> events;
+  };
+
+  ProjectFile* file_ = nullptr;
   TakeWriter writer_;
   LiveTracer trace_;
   trial::HandSession* hand_ = nullptr;  ///< The runner's session, if a person drives it.
+  std::optional<Trial> trial_;          ///< Outlives the thread that asks its person.
   std::optional<TakeView> take_;
   std::optional<bool> verdict_;  ///< Whether it is kept; none: not said yet.
   std::optional<LiveBatch> last_;

@@ -77,7 +77,8 @@ void LiveRunner::show(double wall_s) {
                    samples_,
                    wall_s > 0.0 ? simulated_s / wall_s : 0.0,
                    rate_hz_,
-                   session_->status()};
+                   session_->status(),
+                   session_->trial_status()};
   views_.publish();
 }
 

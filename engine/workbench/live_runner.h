@@ -26,6 +26,7 @@ struct LiveView {
   double realtime_factor = 0.0;  ///< Simulated seconds for each second of wall time, over the whole run.
   double rate_hz = 0.0;          ///< Samples for each second of wall time, lately; 0 until known.
   trial::SessionStatus status;
+  std::optional<trial::TrialStatus> trial;
 };
 
 /// What the thread recorded since the last batch, and how it ended if it has.

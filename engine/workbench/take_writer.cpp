@@ -18,7 +18,8 @@ constexpr double kPeakOfMinimumJerk = 1.875;
 }  // namespace
 
 TakePart take_part(trial::LiveSession& session) {
-  return {session.take_initial_world(), session.take_samples(), session.take_marks(), session.take_notes()};
+  return {session.take_initial_world(), session.take_samples(), session.take_marks(), session.take_notes(),
+          session.take_events()};
 }
 
 TakeWriter::TakeWriter(ProjectFile& file, demonstration::Provenance provenance, std::string name,
@@ -80,9 +81,13 @@ double TakeWriter::ease_s() const {
   return std::max(kEaseOut_s, std::ceil(needed_s * 100.0) / 100.0);
 }
 
-Result<DemonstrationId> TakeWriter::finish(demonstration::Outcome outcome, bool placed) {
+Result<demonstration::RecordingId> TakeWriter::finish_recording(demonstration::Outcome outcome, bool placed) {
   if (!writer_) return fail(ErrorCode::kCancelled, "nothing was recorded: it ended before the countdown did");
-  TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId recording, writer_->finish(outcome, placed));
+  return writer_->finish(outcome, placed);
+}
+
+Result<DemonstrationId> TakeWriter::finish(demonstration::Outcome outcome, bool placed) {
+  TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId recording, finish_recording(outcome, placed));
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t node, file_.commit(edit_for(recording)));
   take_ = DemonstrationId{node};
   return target_ ? target_->into : take_;

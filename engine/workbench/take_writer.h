@@ -17,6 +17,7 @@ struct TakePart {
   std::vector<demonstration::Sample> samples;
   std::vector<demonstration::HashMark> marks;
   std::vector<trial::TakeNote> notes;
+  std::vector<trial::TrialEvent> events;  ///< Of a trial.
 };
 /// Threads: the session's.
 TakePart take_part(trial::LiveSession& session);
@@ -50,6 +51,8 @@ class TakeWriter {
   /// What was recorded, once it is finished; a punch-in's is another than the demonstration that it went into.
   DemonstrationId take() const { return take_; }
   const std::optional<TakeTarget>& target() const { return target_; }
+  /// The recording alone, finished: what becomes of it is the caller's to commit. Errors: as `finish`.
+  Result<demonstration::RecordingId> finish_recording(demonstration::Outcome outcome, bool placed);
   /// Nothing of it stays.
   Status discard();
 

@@ -32,13 +32,13 @@ struct ModeResults {
   int misses = 0;
   int clutches = 0;
   double success_share = 0.0;
-  statistics::Interval success;   ///< Wilson, 95 %.
+  statistics::Interval success;      ///< Wilson, 95 %.
   std::vector<double> completion_s;  ///< Of those that succeeded.
   double mean_s = 0.0;
   double deviation_s = 0.0;  ///< n − 1.
   double median_s = 0.0;
-  double clutch_s = 0.0;     ///< A trial, mean.
-  double path_m = 0.0;       ///< Likewise.
+  double clutch_s = 0.0;  ///< A trial, mean.
+  double path_m = 0.0;    ///< Likewise.
   double economy = 0.0;
   double smoothness = 0.0;
   double agent_share = 0.0;
@@ -67,6 +67,17 @@ struct TrialResults {
   bool scripted = false;               ///< Any of them: to be labelled so wherever they are shown.
 };
 TrialResults results_of(const Trials& trials);
+
+/// A line of the table of both modes.
+struct ResultRow {
+  std::string name;
+  std::array<std::string, 2> values;  ///< MT, SC; "–" where there is nothing to say.
+};
+std::vector<ResultRow> result_rows(const TrialResults& results);
+/// Of the paired trials, a test a line.
+std::vector<std::string> paired_lines(const PairedResults& paired);
+/// Who it was; says of a script that it is one.
+std::string operators_label(const TrialResults& results);
 
 /// What a person reads: one line each, without a judgement that the numbers do not carry.
 std::string results_text(const TrialResults& results);

@@ -11,8 +11,6 @@ namespace {
 
 using trial::TrialRecord;
 
-constexpr std::array<const char*, 2> kModes{"MT", "SC"};
-
 /// A field of a table: quoted where it must be.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
@@ -42,44 +40,26 @@ std::string p_words(double p) {
 std::string escaped(const std::string& text) {
   std::string html;
   for (const char c : text) {
-    if (c == '&') html += "&amp;";
-    else if (c == '<') html += "&lt;";
-    else if (c == '>') html += "&gt;";
-    else html += c;
+    if (c == '&')
+      html += "&amp;";
+    else if (c == '<')
+      html += "&lt;";
+    else if (c == '>')
+      html += "&gt;";
+    else
+      html += c;
   }
   return html;
-}
-
-std::string label(const TrialResults& results) {
-  std::string words = fmt::format("{}", fmt::join(results.operators, ", "));
-  if (results.scripted) words += "; made by a script, no person took part";
-  return words;
-}
-
-std::string paired_words(const PairedResults& paired) {
-  if (paired.pairs == 0) return "No pair of trials with the same seed, block and operator succeeded in both modes";
-  std::string text = fmt::format(
-      "Pairs that succeed in both modes: {}; MT − SC: mean {:+.2f} s, standard deviation {:.2f} s\n", paired.pairs,
-      paired.mean_s, paired.deviation_s);
-  text += fmt::format("Shapiro-Wilk of the differences: W = {}, p = {}\n", number(paired.normality.w),
-                      p_words(paired.normality.p));
-  text += fmt::format("Paired t: t({}) = {}, p = {}, d = {}\n", paired.t.degrees_of_freedom, number(paired.t.t),
-                      p_words(paired.t.p), number(paired.t.effect));
-  text += fmt::format("Wilcoxon signed rank: W = {}, n = {}, p = {}{}\n", number(paired.signed_rank.w),
-                      paired.signed_rank.count, p_words(paired.signed_rank.p),
-                      paired.signed_rank.exact ? " (exact)" : " (normal)");
-  text += fmt::format("Succeeds in one mode only: MT {}, SC {}; McNemar p = {}", paired.only_manual_succeeds,
-                      paired.only_shared_succeeds, p_words(paired.mcnemar_p));
-  return text;
 }
 
 }  // namespace
 
 std::string trials_csv(const Project& project, const std::string& session) {
   std::string csv(kWho);
-  csv += ",outcome,placed,interrupted,completion_s,duration_s,attempts,misses,clutches,clutch_s,hand_overs,agent_s,"
-         "agent_share,agent_steps,path_length_m,economy,smoothness,limit_hits,unreachable,delay,delay_mean_s,"
-         "delay_worst_s,anchor,scale,agent_rate_hz,models,excluded,reason\n";
+  csv +=
+      ",outcome,placed,interrupted,completion_s,duration_s,attempts,misses,clutches,clutch_s,hand_overs,agent_s,"
+      "agent_share,agent_steps,path_length_m,economy,smoothness,limit_hits,unreachable,delay,delay_mean_s,"
+      "delay_worst_s,anchor,scale,agent_rate_hz,models,excluded,reason\n";
   for (const auto& [id, trial] : project.trials) {
     const TrialRecord& r = trial->record;
     if (!session.empty() && r.session != session) continue;
@@ -89,15 +69,15 @@ std::string trials_csv(const Project& project, const std::string& session) {
                             model.name, model.hash);
     }
     csv += who(*trial);
-    csv += fmt::format(",{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{}\n",
-                       to_string(r.outcome), r.placed, r.interrupted, r.completion_s ? number(*r.completion_s) : "",
-                       number(r.duration_s), r.counts.attempts, r.counts.misses, r.counts.clutches,
-                       number(r.counts.clutch_s), r.counts.hand_overs, number(r.counts.agent_s),
-                       number(r.metrics.agent_share), r.counts.agent_steps, number(r.metrics.path_length_m),
-                       number(r.metrics.economy), number(r.metrics.smoothness), r.counts.limit_hits,
-                       r.counts.unreachable, field(r.delay), number(r.counts.delay_mean_s),
-                       number(r.counts.delay_worst_s), to_string(r.anchor), number(r.scale), number(r.agent_rate_hz),
-                       field(models), trial->excluded, field(trial->reason));
+    csv +=
+        fmt::format(",{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{}\n",
+                    to_string(r.outcome), r.placed, r.interrupted, r.completion_s ? number(*r.completion_s) : "",
+                    number(r.duration_s), r.counts.attempts, r.counts.misses, r.counts.clutches,
+                    number(r.counts.clutch_s), r.counts.hand_overs, number(r.counts.agent_s),
+                    number(r.metrics.agent_share), r.counts.agent_steps, number(r.metrics.path_length_m),
+                    number(r.metrics.economy), number(r.metrics.smoothness), r.counts.limit_hits, r.counts.unreachable,
+                    field(r.delay), number(r.counts.delay_mean_s), number(r.counts.delay_worst_s), to_string(r.anchor),
+                    number(r.scale), number(r.agent_rate_hz), field(models), trial->excluded, field(trial->reason));
   }
   return csv;
 }
@@ -117,72 +97,98 @@ std::string segments_csv(const Project& project, const std::string& session) {
   return csv;
 }
 
-std::string results_text(const TrialResults& results) {
-  std::string text = "Operator: " + label(results) + "\n";
-  text += fmt::format("{:<30}{:>14}{:>14}\n", "", "MT", "SC");
+std::string operators_label(const TrialResults& results) {
+  std::string words = fmt::format("{}", fmt::join(results.operators, ", "));
+  if (results.scripted) words += "; made by a script, no person took part";
+  return words;
+}
+
+std::vector<std::string> paired_lines(const PairedResults& paired) {
+  if (paired.pairs == 0) return {"No pair of trials with the same seed, block and operator succeeded in both modes"};
+  return {fmt::format("Pairs that succeed in both modes: {}; MT − SC: mean {:+.2f} s, standard deviation {:.2f} s",
+                      paired.pairs, paired.mean_s, paired.deviation_s),
+          fmt::format("Shapiro-Wilk of the differences: W = {}, p = {}", number(paired.normality.w),
+                      p_words(paired.normality.p)),
+          fmt::format("Paired t: t({}) = {}, p = {}, d = {}", paired.t.degrees_of_freedom, number(paired.t.t),
+                      p_words(paired.t.p), number(paired.t.effect)),
+          fmt::format("Wilcoxon signed rank: W = {}, n = {}, p = {}{}", number(paired.signed_rank.w),
+                      paired.signed_rank.count, p_words(paired.signed_rank.p),
+                      paired.signed_rank.exact ? " (exact)" : " (normal)"),
+          fmt::format("Succeeds in one mode only: MT {}, SC {}; McNemar p = {}", paired.only_manual_succeeds,
+                      paired.only_shared_succeeds, p_words(paired.mcnemar_p))};
+}
+
+std::vector<ResultRow> result_rows(const TrialResults& results) {
+  std::vector<ResultRow> rows;
   const auto row = [&](const char* name, const auto& of) {
-    text += fmt::format("{:<30}{:>14}{:>14}\n", name, of(results.modes[0]), of(results.modes[1]));
+    rows.push_back({name, {of(results.modes[0]), of(results.modes[1])}});
   };
   row("Trials", [](const ModeResults& m) { return fmt::format("{}", m.trials); });
   row("Succeed", [](const ModeResults& m) {
     return m.trials == 0 ? std::string("–") : fmt::format("{} ({:.0f} %)", m.succeeded, 100.0 * m.success_share);
   });
   row("  95 % interval", [](const ModeResults& m) {
-    return m.trials == 0 ? std::string("–") : fmt::format("{:.0f}–{:.0f} %", 100.0 * m.success.low, 100.0 * m.success.high);
+    return m.trials == 0 ? std::string("–")
+                         : fmt::format("{:.0f}–{:.0f} %", 100.0 * m.success.low, 100.0 * m.success.high);
   });
   row("Dropped", [](const ModeResults& m) { return fmt::format("{}", m.dropped); });
   row("Placed", [](const ModeResults& m) { return fmt::format("{}", m.placed); });
-  row("Completion, mean", [](const ModeResults& m) { return fmt::format("{:.2f} s", m.mean_s); });
-  row("  standard deviation", [](const ModeResults& m) { return fmt::format("{:.2f} s", m.deviation_s); });
-  row("  median", [](const ModeResults& m) { return fmt::format("{:.2f} s", m.median_s); });
-  constexpr std::array<const char*, 5> kSegments{"  in A", "  in B", "  in C", "  in D", "  in E"};
-  for (std::size_t i = 0; i < 4; ++i) {
-    row(kSegments[i], [i](const ModeResults& m) { return fmt::format("{:.2f} s", m.segment_s[i]); });
+  // What is a mean of those that succeeded, where any did.
+  const auto mean = [&row](const char* name, const char* form, const auto& value) {
+    row(name, [&](const ModeResults& m) {
+      return m.succeeded == 0 ? std::string("–") : fmt::format(fmt::runtime(form), value(m));
+    });
+  };
+  mean("Completion, mean", "{:.2f} s", [](const ModeResults& m) { return m.mean_s; });
+  mean("  standard deviation", "{:.2f} s", [](const ModeResults& m) { return m.deviation_s; });
+  mean("  median", "{:.2f} s", [](const ModeResults& m) { return m.median_s; });
+  constexpr std::array<const char*, 4> kSegments{"  in A", "  in B", "  in C", "  in D"};
+  for (std::size_t i = 0; i < kSegments.size(); ++i) {
+    mean(kSegments[i], "{:.2f} s", [i](const ModeResults& m) { return m.segment_s[i]; });
   }
   row("Misses", [](const ModeResults& m) { return fmt::format("{}", m.misses); });
   row("Clutches", [](const ModeResults& m) { return fmt::format("{}", m.clutches); });
-  row("Path, mean", [](const ModeResults& m) { return fmt::format("{:.0f} mm", 1e3 * m.path_m); });
-  row("Economy, mean", [](const ModeResults& m) { return fmt::format("{:.2f}", m.economy); });
-  row("Smoothness (SPARC), mean", [](const ModeResults& m) { return fmt::format("{:.2f}", m.smoothness); });
-  row("Agent's share, mean", [](const ModeResults& m) { return fmt::format("{:.0f} %", 100.0 * m.agent_share); });
-  return text + paired_words(results.paired);
+  mean("Path, mean", "{:.0f} mm", [](const ModeResults& m) { return 1e3 * m.path_m; });
+  mean("Economy, mean", "{:.2f}", [](const ModeResults& m) { return m.economy; });
+  mean("Smoothness (SPARC), mean", "{:.2f}", [](const ModeResults& m) { return m.smoothness; });
+  mean("Agent's share, mean", "{:.0f} %", [](const ModeResults& m) { return 100.0 * m.agent_share; });
+  return rows;
+}
+
+std::string results_text(const TrialResults& results) {
+  std::string text = "Operator: " + operators_label(results) + "\n";
+  text += fmt::format("{:<28}{:>14}{:>14}\n", "", "MT", "SC");
+  for (const ResultRow& row : result_rows(results)) {
+    text += fmt::format("{:<28}{:>14}{:>14}\n", row.name, row.values[0], row.values[1]);
+  }
+  return text + fmt::format("{}", fmt::join(paired_lines(results.paired), "\n"));
 }
 
 std::string results_html(const TrialResults& results, const std::string& title) {
-  const std::string text = results_text(results);
-  std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(title) +
-                     "</title>\n<style>body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}"
-                     "table{border-collapse:collapse}td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid "
-                     "#ccc}td:first-child,th:first-child{text-align:left}.scripted{background:#fde9c8;padding:.4rem "
-                     ".8rem}</style></head><body>\n";
+  std::string html =
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(title) +
+      "</title>\n<style>body{font:16px/1.5 sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem}"
+      "table{border-collapse:collapse}td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid "
+      "#ccc}td:first-child,th:first-child{text-align:left}.scripted{background:#fde9c8;padding:.4rem "
+      ".8rem}</style></head><body>\n";
   html += "<h1>" + escaped(title) + "</h1>\n";
-  html += fmt::format("<p{}>Operator: {}</p>\n", results.scripted ? " class=\"scripted\"" : "", escaped(label(results)));
+  html += fmt::format("<p{}>Operator: {}</p>\n", results.scripted ? " class=\"scripted\"" : "",
+                      escaped(operators_label(results)));
   html += "<table><tr><th></th><th>MT</th><th>SC</th></tr>\n";
-  std::size_t begin = text.find('\n', text.find('\n') + 1) + 1;
-  const std::size_t table_end = text.find("Agent's share");
-  while (begin <= table_end) {
-    const std::string line = text.substr(begin, text.find('\n', begin) - begin);
-    // The columns are as wide as `results_text` makes them, in characters; what is longer is not ASCII.
-    const std::size_t last = line.rfind("  ");
-    const std::size_t middle = line.find_last_not_of(' ', last);
-    const std::size_t first = line.rfind("  ", middle);
-    const std::size_t name_end = line.find_last_not_of(' ', first);
-    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(line.substr(0, name_end + 1)),
-                        escaped(line.substr(first + 2, middle - first - 1)), escaped(line.substr(last + 2)));
-    begin = text.find('\n', begin) + 1;
+  for (const ResultRow& row : result_rows(results)) {
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", escaped(row.name), escaped(row.values[0]),
+                        escaped(row.values[1]));
   }
   html += "</table>\n<ul>\n";
-  for (std::size_t at = begin; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    html += "<li>" + escaped(text.substr(at, end - at)) + "</li>\n";
-    at = end + 1;
-  }
-  html += "</ul>\n<table><tr><th>MT, s</th><th>SC, s</th><th>MT − SC, s</th></tr>\n";
+  for (const std::string& line : paired_lines(results.paired)) html += "<li>" + escaped(line) + "</li>\n";
+  html += "</ul>\n";
+  if (results.paired.pairs > 0) html += "<table><tr><th>MT, s</th><th>SC, s</th><th>MT − SC, s</th></tr>\n";
   for (const auto& [manual_s, shared_s] : results.paired.completion_s) {
     html += fmt::format("<tr><td>{:.2f}</td><td>{:.2f}</td><td>{:+.2f}</td></tr>\n", manual_s, shared_s,
                         manual_s - shared_s);
   }
-  return html + "</table>\n</body></html>\n";
+  if (results.paired.pairs > 0) html += "</table>\n";
+  return html + "</body></html>\n";
 }
 
 }  // namespace trocar::workbench

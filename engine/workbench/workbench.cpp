@@ -120,7 +120,7 @@ void Workbench::Impl::refresh_document() {
   state.undoable = file->undoable();
   state.redoable = file->redoable();
   const auto& demonstrations = state.project->demonstrations;
-  if (!demonstrations.contains(state.demonstration)) {
+  if (demonstration(state.demonstration) == nullptr) {
     state.demonstration = demonstrations.empty() ? DemonstrationId{} : demonstrations.begin()->first;
     state.play_speed = 0.0;
   }
@@ -159,7 +159,10 @@ void Workbench::Impl::request_insight() {
 std::shared_ptr<const demonstration::Demonstration> Workbench::Impl::demonstration(DemonstrationId id) const {
   if (!state.project) return nullptr;
   const auto found = state.project->demonstrations.find(id);
-  return found == state.project->demonstrations.end() ? nullptr : found->second;
+  if (found != state.project->demonstrations.end()) return found->second;
+  // What was recorded of a trial is looked at like a demonstration.
+  const auto trial = state.project->trials.find(TrialId{id.value});
+  return trial == state.project->trials.end() ? nullptr : trial->second->shown;
 }
 
 std::shared_ptr<const ModelEntry> Workbench::Impl::model(ModelId id) const {

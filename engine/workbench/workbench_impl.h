@@ -75,6 +75,13 @@ struct Workbench::Impl {
   void on(const EndImport& command);
   void on(const MakeImport& command);
   void on(const ExportDemonstrations& command);
+  void on(const StartTrials& command);
+  void on(const StartBlock& command);
+  void on(const PauseTrials& command);
+  void on(const StopTrial& command);
+  void on(const EndTrials& command);
+  void on(const MarkIncident& command);
+  void on(const ExportTrials& command);
   void on(const CancelJob& command);
   void on(const Report& command);
 
@@ -135,6 +142,10 @@ struct Workbench::Impl {
   Status keep_model(const std::shared_ptr<ProjectFile>& owner, const std::shared_ptr<const ModelEntry>& entry);
   void follow_filmstrip();
   void poll_recording();
+  /// The next transfer of the block, or its end.
+  void go_on_with_trials();
+  void begin_transfer();
+  void conclude_transfer(const LiveRecording::End& end);
   /// A take can begin: a project is open, none goes on, and nothing is on its way into the document; else it is said.
   bool can_record();
   /// How much room is left where the project is, now and then.
@@ -181,6 +192,7 @@ struct Workbench::Impl {
   double last_poll_s = 0.0;
   bool dirty = false;
   LiveTrainings trainings;
+  bool trials_end_asked = false;
   JobId importing;    // the last import that was asked for
   JobRunner jobs;     // their threads end first
   JobRunner opening;  // a project opens at once, whatever else runs

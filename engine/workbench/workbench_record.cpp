@@ -109,6 +109,10 @@ void Workbench::Impl::poll_recording() {
   state.live.reset();
   state.take.reset();
   state.live_trace.reset();
+  if (state.trials) {
+    conclude_transfer(*end);
+    return refresh_document();
+  }
   if (end->demonstration) {
     tell(end->message);
     state.demonstration = *end->demonstration;

@@ -28,6 +28,7 @@
 #include "engine/workbench/rolling.h"
 #include "engine/workbench/seed_insight.h"
 #include "engine/workbench/take_view.h"
+#include "engine/workbench/trials_view.h"
 
 namespace trocar::workbench {
 
@@ -114,6 +115,7 @@ struct WorkbenchState {
   std::shared_ptr<const MonteCarloView> monte_carlo;
   std::shared_ptr<const PhysicsView> physics;
   std::optional<LiveView> live;
+  std::optional<TrialsView> trials;             ///< From `StartTrials` to `EndTrials`.
   std::optional<TakeView> take;                 ///< With `live`, if a person drives.
   std::shared_ptr<const LiveTrace> live_trace;  ///< With `live`: what was recorded so far, for the lanes.
   std::int64_t disk_free_bytes = -1;            ///< With `live`: where the project is; −1: unknown.

@@ -127,7 +127,7 @@ trial::TrialRecord record_of(trial::SharedControlSession& session, const TrialPl
   record.placed = session.placed();
   record.completion_s = session.completion_s();
   record.duration_s = session.state().tick.seconds();
-  record.counts = session.trial_status().counts;
+  record.counts = session.trial_status()->counts;
   record.metrics = trial::trial_metrics(samples, record.completion_s, record.counts.agent_s);
   record.events = events;
   return record;
@@ -159,6 +159,34 @@ Result<std::vector<RanTrial>> run_trials(const Project& project, const TrialPlan
     trials.push_back(std::move(**each));
   }
   return trials;
+}
+
+Result<std::vector<RanTrial>> run_block(const Project& project, TrialPlan plan, const trial::ProtocolBlock& block,
+                                        Progress& progress) {
+  std::vector<RanTrial> ran;
+  int successes = 0;
+  double elapsed_s = 0.0;
+  constexpr int kMost = 1000;
+  for (int i = 0; i < kMost && !trial::block_over(block, i, successes, elapsed_s); ++i) {
+    TROCAR_ASSIGN_OR_RETURN(const trial::TrialOptions options, options_of(project, plan, i));
+    TROCAR_ASSIGN_OR_RETURN(RanTrial each, run_one(plan, options, i, progress));
+    successes += each.record.outcome == demonstration::Outcome::kSuccess ? 1 : 0;
+    elapsed_s += each.record.duration_s;
+    ran.push_back(std::move(each));
+  }
+  return ran;
+}
+
+Result<TrialPlan> plan_of(TrialPlan plan, const std::vector<trial::ProtocolBlock>& blocks, std::size_t number) {
+  const trial::ProtocolBlock& block = blocks[number];
+  std::uint64_t rank = 0;
+  for (std::size_t i = 0; i < number; ++i) rank += blocks[i].mode == block.mode ? 1 : 0;
+  constexpr std::uint64_t kApart = 1000;
+  plan.seed += rank * kApart;
+  plan.options.mode = block.mode;
+  plan.block_number = static_cast<int>(number);
+  TROCAR_ASSIGN_OR_RETURN(plan.options.delay, control::delay_from(block.delay));
+  return plan;
 }
 
 std::string trial_name(const Project& project, trial::Mode mode) {

@@ -6,25 +6,12 @@
 
 #include "engine/core/progress.h"
 #include "engine/core/result.h"
+#include "engine/trial/protocol.h"
 #include "engine/trial/shared_control_session.h"
 #include "engine/workbench/project.h"
+#include "engine/workbench/trial_plan.h"
 
 namespace trocar::workbench {
-
-/// Several transfers in a row by one mode: one block of a protocol.
-struct TrialPlan {
-  trial::TrialOptions options;  ///< Of every transfer; seed, block, goal and agents are found from what follows.
-  /// Of A and C; those of a segment of which none is named are all that the project has.
-  std::vector<ModelId> models;
-  std::uint64_t seed = 1;  ///< Of the first transfer; the next ones count up.
-  int first_block = 0;     ///< 0 … 5; the next transfer takes the next block, and its goal has the same number.
-  int transfers = 1;
-  bool same_block = false;  ///< Each transfer takes `first_block`.
-  int threads = 1;          ///< The result does not depend on it.
-  std::string subject;
-  std::string session;
-  int block_number = 0;
-};
 
 /// The models for a transfer of `block`: of each segment the one whose demonstration was of that block, else, with the
 /// lattice at the target, the first there is. None for a manual trial.
@@ -49,6 +36,13 @@ trial::TrialRecord record_of(trial::SharedControlSession& session, const TrialPl
 /// Errors: kInvalidArgument for less than one transfer; those of `options_of` and `SharedControlSession::create`;
 /// kCancelled.
 Result<std::vector<RanTrial>> run_trials(const Project& project, const TrialPlan& plan, Progress& progress);
+
+/// The transfers of one block of a protocol, until it is over. Errors: as `run_trials`.
+Result<std::vector<RanTrial>> run_block(const Project& project, TrialPlan plan, const trial::ProtocolBlock& block,
+                                        Progress& progress);
+/// The plan of a block: mode and delay are the block's, and its seeds are those of the other mode's block of the same
+/// rank, so that both have the same scenes. Errors: those of `control::delay_from`.
+Result<TrialPlan> plan_of(TrialPlan plan, const std::vector<trial::ProtocolBlock>& blocks, std::size_t number);
 
 /// "SC 3": the first number that no trial of the mode has.
 std::string trial_name(const Project& project, trial::Mode mode);

@@ -51,7 +51,7 @@ Run run(const TrialOptions& options, std::int64_t stop_at = -1) {
   result.recording.samples = session->take_samples();
   result.recording.hashes = session->take_marks();
   result.events = session->take_events();
-  result.status = session->trial_status();
+  result.status = *session->trial_status();
   result.completion_s = session->completion_s();
   result.outcome = session->outcome();
   return result;

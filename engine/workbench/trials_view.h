@@ -1,0 +1,35 @@
+/// What is shown of trials that are being run: the blocks, where they stand, what came of them so far.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/trial/protocol.h"
+#include "engine/workbench/command.h"
+
+namespace trocar::workbench {
+
+enum class TrialsPhase : std::uint8_t {
+  kReady,    ///< The next block waits to be started.
+  kRunning,  ///< A transfer goes on.
+  kPaused,   ///< Between two transfers.
+  kResting,  ///< After a block.
+  kDone,     ///< All blocks are over.
+};
+std::string_view to_string(TrialsPhase phase);
+
+struct TrialsView {
+  StartTrials request;
+  std::string protocol;  ///< Its name; "" of a single block.
+  std::vector<trial::ProtocolBlock> blocks;
+  TrialsPhase phase = TrialsPhase::kReady;
+  int block = 0;     ///< That runs or is next.
+  int transfer = 0;  ///< Of the block, from 0.
+  int successes = 0;
+  int drops = 0;
+  double block_s = 0.0;  ///< Time of transfers in this block, simulated.
+  double rest_s = 0.0;   ///< After the block that was last.
+  bool paused = false;   ///< No further transfer begins by itself.
+};
+
+}  // namespace trocar::workbench

@@ -1,0 +1,170 @@
+// Trials: blocks of a protocol, transfer after transfer, by a script or a person.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "engine/core/file.h"
+#include "engine/workbench/trial_results.h"
+#include "engine/workbench/workbench_impl.h"
+
+namespace trocar::workbench {
+
+std::string_view to_string(TrialsPhase phase) {
+  constexpr std::array<std::string_view, 5> kNames{"ready", "running", "paused", "resting", "done"};
+  return kNames[static_cast<std::size_t>(phase)];
+}
+
+void Workbench::Impl::on(const StartTrials& command) {
+  if (!can_record()) return;
+  TrialsView view;
+  view.request = command;
+  if (command.protocol.empty()) {
+    trial::ProtocolBlock block;
+    block.name = command.plan.options.mode == trial::Mode::kShared ? "Shared control" : "Manual";
+    block.mode = command.plan.options.mode;
+    block.transfers = command.plan.transfers;
+    block.delay = control::to_string(command.plan.options.delay);
+    view.blocks.push_back(std::move(block));
+  } else {
+    const Result<trial::Protocol> protocol = trial::find_protocol(command.protocol);
+    if (!protocol) return log(Severity::kError, protocol.error().text());
+    view.protocol = protocol->name;
+    view.blocks = trial::order_for(*protocol, command.subject_number, command.order_seed);
+    view.request.plan.options.time_limit_s = protocol->transfer_s;
+  }
+  // What cannot be run is said before anybody sits down.
+  for (std::size_t i = 0; i < view.blocks.size(); ++i) {
+    TrialPlan plan = view.request.plan;
+    plan.options.mode = view.blocks[i].mode;
+    const auto agents = agents_for(*state.project, plan, plan.first_block);
+    if (!agents) return log(Severity::kError, agents.error().text());
+    if (plan.options.mode == trial::Mode::kShared && agents->empty()) {
+      return log(Severity::kError, "Shared control needs a model: train one of segment A or C");
+    }
+    if (const auto delay = control::delay_from(view.blocks[i].delay); !delay) {
+      return log(Severity::kError, delay.error().text());
+    }
+  }
+  if (view.request.plan.session.empty()) view.request.plan.session = iso_time(options.clock->unix_s());
+  trials_end_asked = false;
+  state.trials = std::move(view);
+  state.play_speed = 0.0;
+  dirty = true;
+  on(StartBlock{});
+}
+
+void Workbench::Impl::on(const StartBlock&) {
+  if (!state.trials || recording) return;
+  TrialsView& view = *state.trials;
+  view.paused = false;
+  if (view.phase == TrialsPhase::kDone || view.block >= static_cast<int>(view.blocks.size())) return;
+  if (view.phase != TrialsPhase::kPaused) {
+    view.transfer = view.successes = view.drops = 0;
+    view.block_s = 0.0;
+  }
+  begin_transfer();
+}
+
+void Workbench::Impl::begin_transfer() {
+  if (!can_record()) {
+    state.trials->phase = TrialsPhase::kPaused;
+    return;
+  }
+  TrialsView& view = *state.trials;
+  TrialStart start;
+  // The delays were looked at when the trials were prepared.
+  start.plan = plan_of(view.request.plan, view.blocks, static_cast<std::size_t>(view.block)).value();
+  start.transfer = view.transfer;
+  start.person = view.request.person;
+  start.realtime = view.request.realtime;
+  auto started = LiveRecording::start(*file, start);
+  if (!started) {
+    view.phase = TrialsPhase::kPaused;
+    return log(Severity::kError, started.error().text());
+  }
+  recording = std::move(*started);
+  view.phase = TrialsPhase::kRunning;
+  on(EndPreview{});
+}
+
+void Workbench::Impl::conclude_transfer(const LiveRecording::End& end) {
+  TrialsView& view = *state.trials;
+  view.phase = TrialsPhase::kPaused;
+  if (!end.demonstration) {
+    log(Severity::kError, end.demonstration.error().text());
+    return;
+  }
+  tell(end.message);
+  state.demonstration = *end.demonstration;
+  state.playhead_s = 0.0;
+  if (!end.trial) return;
+  ++view.transfer;
+  view.block_s += end.trial->duration_s;
+  view.successes += end.trial->outcome == demonstration::Outcome::kSuccess ? 1 : 0;
+  view.drops += end.trial->outcome == demonstration::Outcome::kDropped ? 1 : 0;
+  if (trials_end_asked) {
+    state.trials.reset();
+    return;
+  }
+  go_on_with_trials();
+}
+
+void Workbench::Impl::go_on_with_trials() {
+  TrialsView& view = *state.trials;
+  const trial::ProtocolBlock& block = view.blocks[static_cast<std::size_t>(view.block)];
+  if (!trial::block_over(block, view.transfer, view.successes, view.block_s)) {
+    // Stopped or paused by somebody: it waits for them.
+    if (!view.paused) begin_transfer();
+    return;
+  }
+  view.rest_s = block.rest_s;
+  ++view.block;
+  view.transfer = 0;
+  const bool more = view.block < static_cast<int>(view.blocks.size());
+  view.phase = !more ? TrialsPhase::kDone : view.rest_s > 0.0 ? TrialsPhase::kResting : TrialsPhase::kReady;
+  log(Severity::kInfo, more ? "The block is over" : "All blocks are over");
+}
+
+void Workbench::Impl::on(const PauseTrials& command) {
+  if (!state.trials) return;
+  state.trials->paused = command.paused;
+  dirty = true;
+  if (!command.paused && state.trials->phase == TrialsPhase::kPaused && !recording) begin_transfer();
+}
+
+void Workbench::Impl::on(const StopTrial&) {
+  if (!state.trials) return;
+  state.trials->paused = true;
+  if (recording) recording->stop_trial();
+  dirty = true;
+}
+
+void Workbench::Impl::on(const EndTrials&) {
+  if (!state.trials) return;
+  dirty = true;
+  if (!recording) return state.trials.reset();
+  trials_end_asked = true;
+  recording->stop(true);
+}
+
+void Workbench::Impl::on(const MarkIncident& command) {
+  if (!recording || !state.trials) return;
+  recording->mark_incident(command.text.empty() ? "incident" : command.text);
+  tell("Marked the instant");
+}
+
+void Workbench::Impl::on(const ExportTrials& command) {
+  if (!project_open() || !is_output(command.path)) return;
+  const auto work = [project = state.project, path = command.path](Progress&) -> Result<JobResult> {
+    const Trials trials = counted_trials(*project, "");
+    const bool page = path.extension() == ".html";
+    const std::string text = page ? results_html(results_of(trials), "Trials") : trials_csv(*project, "");
+    TROCAR_RETURN_IF_ERROR(write_file(path, text));
+    return JobResult{fmt::format("{} trials written", page ? trials.size() : project->trials.size()), {}};
+  };
+  jobs.start("Export " + command.path.filename().string(), work);
+}
+
+}  // namespace trocar::workbench

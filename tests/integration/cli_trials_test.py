@@ -1,0 +1,113 @@
+"""Trials from the command line: both modes, repeatable to the bit, replayed, judged, and compared."""
+import csv
+import re
+import unittest
+
+from cli_support import DONE, USAGE, CommandLineTest
+
+
+class TrialsTest(CommandLineTest):
+    """One project for all: its models are those of the demonstration's own block."""
+
+    def project(self):
+        project = self.recorded_project()
+        self.answer("model", "train", project, "Expert", "--segment", "C", "--method", "exact", "--name", "C exact")
+        return project
+
+    def test_both_modes_run_and_replay_and_the_agent_moves_in_one_of_them(self):
+        project = self.project()
+        for mode in ("MT", "SC"):
+            ran = self.answer("trial", "run", project, "--mode", mode, "--operator", "scripted", "--block", "0",
+                              "--transfers", "2", "--seed", "3", code=DONE)
+            self.assertEqual(len(ran["trials"]), 2)
+            for trial in ran["trials"]:
+                self.assertIn(trial["outcome"], ("success", "dropped", "unfinished"))
+                self.assertEqual(trial["operator"], "scripted")
+                self.assertEqual(set(trial["segments_s"]), set("ABCDE"))
+                self.assertEqual(trial["agent_share"] > 0.0, mode == "SC")
+                replayed = self.answer("trial", "replay", project, str(trial["id"]), "--verify", code=DONE)
+                self.assertTrue(replayed["verified"])
+        listed = self.answer("trial", "list", project)["trials"]
+        self.assertEqual([trial["name"] for trial in listed], ["MT 1", "MT 2", "SC 1", "SC 2"])
+        self.assertEqual(self.answer("info", project)["trials"], 4)
+        shown = self.answer("trial", "show", project, "SC 1")
+        self.assertEqual([model["segment"] for model in shown["models"]], ["A", "C"])
+        kinds = {event["kind"] for event in shown["events"]}
+        self.assertLessEqual({"pedal", "state", "agent", "segment", "outcome", "guard"}, kinds)
+        # A release is in the record at the tick at which the arm is the operator's, or the agent had ended before.
+        events = shown["events"]
+        begins = [e["t_s"] for e in events if e["kind"] == "agent" and e["text"].startswith("begins")]
+        ends = [e["t_s"] for e in events if e["kind"] == "state" and e["text"] == "operator"]
+        releases = [e["t_s"] for e in events if e["text"] == "agent pedal up"]
+        for begin in begins:
+            end = min(t for t in ends if t > begin)
+            release = min(t for t in releases if t > begin)
+            self.assertLessEqual(end, release)
+
+    def test_the_same_seed_gives_the_same_trial_on_any_number_of_threads(self):
+        hashes = []
+        for threads in ("1", "2"):
+            project = self.project()
+            self.answer("trial", "run", project, "--mode", "SC", "--block", "0", "--transfers", "2", "--seed", "5",
+                        "--threads", threads)
+            hashes.append([self.answer("trial", "show", project, name)["hash"] for name in ("SC 1", "SC 2")])
+        self.assertEqual(hashes[0], hashes[1])
+        self.assertNotEqual(hashes[0][0], hashes[0][1])
+
+    def test_results_are_tidy_say_scripted_and_leave_out_what_was_excluded(self):
+        project = self.project()
+        for mode in ("MT", "SC"):
+            self.answer("trial", "run", project, "--mode", mode, "--block", "0", "--transfers", "3", "--session", "one")
+        rows, segments, page = (self.folder / name for name in ("trials.csv", "segments.csv", "report.html"))
+        results = self.answer("trial", "results", project, "--trials", rows, "--segments", segments, "--report", page)
+        self.assertTrue(results["scripted"])
+        self.assertEqual(results["MT"]["trials"], 3)
+        self.assertEqual(results["paired"]["pairs"], 3)
+        with open(rows, encoding="utf-8") as file:
+            table = list(csv.DictReader(file))
+        self.assertEqual(len(table), 6)
+        self.assertEqual({row["operator"] for row in table}, {"scripted"})
+        times = {mode: [float(row["completion_s"]) for row in table if row["mode"] == mode] for mode in ("MT", "SC")}
+        self.assertAlmostEqual(results["MT"]["mean_s"], sum(times["MT"]) / 3, places=4)
+        differences = [a - b for a, b in zip(times["MT"], times["SC"])]
+        self.assertAlmostEqual(results["paired"]["mean_s"], sum(differences) / 3, places=4)
+        with open(segments, encoding="utf-8") as file:
+            by_segment = list(csv.DictReader(file))
+        self.assertEqual(len(by_segment), 6 * 5)
+        self.assertIn("no person took part", page.read_text(encoding="utf-8"))
+
+        self.answer("trial", "judge", project, "SC 1", "--exclude", "the cat stood on the pedal")
+        left = self.answer("trial", "results", project)
+        self.assertEqual((left["SC"]["trials"], left["paired"]["pairs"]), (2, 2))
+        self.answer("undo", project)
+        self.assertEqual(self.answer("trial", "results", project)["SC"]["trials"], 3)
+        self.refused("trial", "judge", project, "SC 1", code=USAGE, saying="--exclude")
+
+    def test_a_delay_is_applied_and_told(self):
+        project = self.project()
+        ran = self.answer("trial", "run", project, "--mode", "MT", "--block", "0", "--delay-ms", "ar1:60:10")
+        self.assertAlmostEqual(ran["trials"][0]["delay_mean_s"], 0.06, delta=0.02)
+        self.assertGreater(ran["trials"][0]["delay_worst_s"], ran["trials"][0]["delay_mean_s"])
+        self.assertEqual(self.answer("trial", "show", project, "MT 1")["delay"], "ar1:60:10")
+
+    def test_what_makes_no_sense_is_refused_before_anything_runs(self):
+        project = self.recorded_project()
+        self.refused("trial", "run", project, "--mode", "XX", code=USAGE, saying="--mode")
+        self.refused("trial", "run", project, "--mode", "MT", "--delay-ms", "soon", code=USAGE, saying="a delay is")
+        self.refused("trial", "run", project, "--mode", "SC", "--model-c", "A exact", code=USAGE, saying="segment A")
+        self.refused("trial", "replay", project, "MT 1", code=USAGE, saying="no trial")
+        self.refused("trial", "results", project, code=USAGE, saying="no trial")
+        self.assertEqual(self.answer("info", project)["trials"], 0)
+
+    def test_a_trial_is_seen_and_filmed_as_a_demonstration_is(self):
+        project = self.project()
+        self.answer("trial", "run", project, "--mode", "SC", "--block", "0")
+        picture = self.folder / "view.png"
+        self.answer("view", "render", project, "SC 1", "--size", "320x180", "--out", picture)
+        self.assertGreater(picture.stat().st_size, 3000)
+        listed = self.answer("history", project)
+        self.assertTrue(re.search("Add trial SC 1", str(listed)))
+
+
+if __name__ == "__main__":
+    unittest.main()

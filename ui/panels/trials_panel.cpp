@@ -1,0 +1,324 @@
+#include "ui/panels/trials_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/control/delay_model.h"
+#include "ui/format.h"
+#include "ui/icons.h"
+#include "ui/panels/authority_band.h"
+#include "ui/panels/common.h"
+
+namespace trocar::ui {
+namespace {
+
+using trial::Mode;
+using workbench::Command;
+using workbench::TrialsPhase;
+
+const std::vector<std::string>& protocol_names() {
+  static const std::vector<std::string> kNames{"One block", "Simulation study (paper, IV-C1)",
+                                               "Study on the dVRK (paper, IV-C2)"};
+  return kNames;
+}
+/// As `trial::find_protocol` takes them.
+constexpr std::array<const char*, 3> kProtocols{"", "sim", "dvrk"};
+
+std::string limit_words(const trial::ProtocolBlock& block) {
+  std::string words;
+  const auto add = [&words](const std::string& more) { words += (words.empty() ? "" : " or ") + more; };
+  if (block.time_s) add(fmt::format("{:.0f} min", *block.time_s / 60.0));
+  if (block.transfers) add(counted(static_cast<std::size_t>(*block.transfers), "transfer"));
+  if (block.successes)
+    add(counted(static_cast<std::size_t>(*block.successes), "success") + (*block.successes > 1 ? "" : ""));
+  return words;
+}
+
+void text_setting(Ui& ui, std::string_view shown, std::string_view name, std::string& value,
+                  const WidgetOptions& options) {
+  form_label(ui, shown);
+  text_field(ui, name, value, "", options);
+}
+
+}  // namespace
+
+workbench::StartTrials TrialsPanel::request() const {
+  workbench::StartTrials start;
+  workbench::TrialPlan& plan = start.plan;
+  plan.options.mode = mode_ == 0 ? Mode::kManual : Mode::kShared;
+  plan.options.skill = static_cast<trial::Skill>(skill_);
+  plan.options.anchor = static_cast<trial::Anchor>(anchor_);
+  plan.options.agent_rate_hz = static_cast<double>(rate_);
+  if (const auto delay = control::delay_from(delay_)) plan.options.delay = *delay;
+  plan.transfers = static_cast<int>(transfers_);
+  plan.seed = static_cast<std::uint64_t>(seed_);
+  plan.first_block = static_cast<int>(block_);
+  plan.same_block = !in_turn_;
+  start.protocol = kProtocols[static_cast<std::size_t>(protocol_)];
+  start.person = operator_ == 1;
+  if (start.person) plan.subject = fmt::format("S{}", subject_);
+  start.subject_number = static_cast<int>(subject_ - 1);
+  start.realtime = start.person || realtime_;
+  return start;
+}
+
+std::string TrialsPanel::reason(const WorkbenchState& state) const {
+  if (std::string why = command("trials.start").reason_now(state); !why.empty()) return why;
+  if (const auto delay = control::delay_from(delay_); !delay) return delay.error().text();
+  const bool shared = protocol_ != 0 || mode_ == 1;
+  const bool any = std::any_of(state.project->models.begin(), state.project->models.end(), [](const auto& each) {
+    return each.second->segment == demonstration::Segment::kA || each.second->segment == demonstration::Segment::kC;
+  });
+  return shared && !any ? "Shared control needs a model: train one of segment A or C" : "";
+}
+
+void TrialsPanel::draw_who(Ui& ui) {
+  static const std::vector<std::string> kOperators{"Script", "Person"};
+  static const std::vector<std::string> kSkills{"expert", "trained", "novice"};
+  form_label(ui, "Operator");
+  segmented(ui, "Operator", operator_, kOperators,
+            {.help = "A script, whose trials are marked as scripted everywhere; or a person at the keys"});
+  if (operator_ == 0) {
+    form_label(ui, "Skill");
+    combo(ui, "Skill", skill_, kSkills, {.help = "How well the script sees, aims and holds"});
+    checkbox(ui, "In real time", realtime_, {.help = "To be watched; else as fast as it goes"});
+    return;
+  }
+  form_label(ui, "Subject");
+  number_field(ui, "Subject", subject_, 1, 9999,
+               {.help = "A number, never a name; it decides the order of blocks too"});
+  wrapped_text(ui,
+               "W S, A D, Q E move the left tool, Z X turn it, C opens and shuts its jaws, V is the clutch. Hold Space "
+               "for the agent.",
+               ui.theme().text_dim);
+}
+
+void TrialsPanel::draw_how(Ui& ui) {
+  static const std::vector<std::string> kAnchors{"Board", "Target"};
+  form_label(ui, "First block");
+  number_field(ui, "First block", block_, 0, 5, {.help = "The block of the first transfer; its goal has its number"});
+  checkbox(ui, "Blocks in turn", in_turn_, {.help = "Each transfer takes the next block; else the same one"});
+  form_label(ui, "Seed");
+  number_field(ui, "Seed", seed_, 0, 1'000'000'000,
+               {.help = "Of the first transfer, the next count up; the same seeds give both modes the same scenes"});
+  form_label(ui, "Lattice at");
+  segmented(ui, "Anchor", anchor_, kAnchors,
+            {.help = "The agent's lattice lies on the board, as in the paper, or with its goal at the block"});
+  form_label(ui, "Cells a second");
+  number_field(ui, "Agent rate", rate_, 1, 40, {.help = "How fast the agent steps; 20 is 50 mm/s"});
+  text_setting(ui, "Delay, ms", "Delay", delay_,
+               {.help = "From hand to arm: 40, normal:20:5, lognormal:20:5, ar1:20:5, and ,stall:0.01:200"});
+}
+
+void TrialsPanel::draw_setup(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const Scope scope(ui, "Setup");
+  static const std::vector<std::string> kModes{"MT  manual", "SC  shared"};
+  heading(ui, "What is run");
+  form_label(ui, "Protocol");
+  combo(ui, "Protocol", protocol_, protocol_names(), {.help = "Blocks with their limits and rests, in balanced order"});
+  if (protocol_ == 0) {
+    form_label(ui, "Mode");
+    segmented(ui, "Mode", mode_, kModes, {.help = "MT: the operator does A to D; SC: the agent moves in A and C"});
+    form_label(ui, "Transfers");
+    number_field(ui, "Transfers", transfers_, 1, 1000, {.help = "One after the other"});
+  }
+  heading(ui, "By whom");
+  draw_who(ui);
+  heading(ui, "How");
+  draw_how(ui);
+  ImGui::Dummy({0.0F, ui.px(6)});
+  const std::string why = reason(state);
+  if (button(ui, "Start",
+             {.icon = icon::kPlay,
+              .help = "Begins with the first block",
+              .reason = why,
+              .width = -1.0F,
+              .style = ButtonStyle::kPrimary})) {
+    requests.emplace_back(Command{request()});
+    requests.emplace_back(ShowPanel{PanelId::kView});
+  }
+  if (!why.empty()) wrapped_text(ui, why, ui.theme().text_dim);
+}
+
+void TrialsPanel::draw_live(Ui& ui, const WorkbenchState& state) {
+  const workbench::LiveView& live = *state.live;
+  const trial::TrialStatus& status = *live.trial;
+  const workbench::TrialsView& view = *state.trials;
+  const auto& block = view.blocks[static_cast<std::size_t>(view.block)];
+  authority_band(ui, status, live.segment, block.mode);
+  ImGui::Dummy({0.0F, ui.px(2)});
+  pedal_lamps(ui, status);
+  if (!status.agent_refusal.empty() && block.mode == Mode::kShared)
+    small_text(ui, status.agent_refusal, ui.theme().text_dim);
+  if (!status.guard.empty()) badge(ui, icon::kWarning, status.guard, ui.theme().warning, "The guard holds the arm");
+  fact(ui, "Trial", time_code(live.world.tick.seconds()));
+  fact(ui, "Segment", time_code(status.segment_s));
+  fact(ui, "Tool speed", fmt::format("{:.0f} mm/s", 1e3 * status.tool_speed_m_s));
+  fact(ui, "To the block", millimetres(status.to_block_m));
+  fact(ui, "Command to measured", fmt::format("{:.2f} mm", 1e3 * status.error_m));
+  fact(ui, "Delay applied",
+       fmt::format("{:.0f} ms, mean {:.1f}, worst {:.0f}", 1e3 * status.delay_s, 1e3 * status.counts.delay_mean_s,
+                   1e3 * status.counts.delay_worst_s));
+  fact(ui, "Attempts, misses", fmt::format("{}, {}", status.counts.attempts, status.counts.misses));
+  control_states(ui, status.state);
+  ui.animate();
+}
+
+void TrialsPanel::draw_runner(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const Scope scope(ui, "Runner");
+  const workbench::TrialsView& view = *state.trials;
+  const bool over = view.block >= static_cast<int>(view.blocks.size());
+  if (!over) {
+    const auto& block = view.blocks[static_cast<std::size_t>(view.block)];
+    heading(ui, fmt::format("Block {} of {}: {}", view.block + 1, view.blocks.size(), block.name));
+    if (!block.instructions.empty()) wrapped_text(ui, block.instructions, ui.theme().text);
+    fact(ui, "Ends after", limit_words(block));
+    fact(ui, "Block",
+         fmt::format("{}{}", time_code(view.block_s),
+                     block.time_s ? fmt::format(" of {}", time_code(*block.time_s)) : ""));
+  } else {
+    heading(ui, "All blocks are over");
+  }
+  fact(ui, "Transfers", fmt::format("{}: {} succeed, {} dropped", view.transfer, view.successes, view.drops));
+  if (state.live && state.live->trial && !over) draw_live(ui, state);
+  if (view.phase == TrialsPhase::kResting) {
+    badge(ui, icon::kClock, fmt::format("Rest {:.0f} s", view.rest_s), ui.theme().accent, "Then start the next block");
+  }
+  ImGui::Dummy({0.0F, ui.px(4)});
+  // The soft stop is always there, and says what it is not.
+  command_button(ui, state, "trials.stop", "Stop", ButtonStyle::kDanger, requests);
+  ImGui::SameLine();
+  command_button(ui, state, "trials.block", "Start block", ButtonStyle::kPrimary, requests);
+  flow(button_width(ui, "Pause", icon::kPause), ui.px(6));
+  command_button(ui, state, "trials.pause", view.paused ? "Go on" : "Pause", ButtonStyle::kNormal, requests);
+  flow(button_width(ui, "Mark", icon::kPencil), ui.px(6));
+  command_button(ui, state, "trials.mark", "Mark", ButtonStyle::kNormal, requests);
+  flow(button_width(ui, "End", icon::kCross), ui.px(6));
+  command_button(ui, state, "trials.end", "End", ButtonStyle::kQuiet, requests);
+  small_text(ui, "Stop is a soft stop, not an emergency stop", ui.theme().text_dim);
+}
+
+void TrialsPanel::draw_judgement(Ui& ui, const workbench::TrialEntry& trial, Requests& requests) {
+  const Scope scope(ui, "Judgement");
+  const trial::TrialRecord& record = trial.record;
+  heading(ui, trial.name);
+  fact(ui, "Made by", record.operator_kind + (record.skill.empty() ? "" : " " + record.skill));
+  fact(ui, "Outcome", demonstration::to_string(record.outcome));
+  fact(ui, "Completion", record.completion_s ? seconds(*record.completion_s) : "–");
+  fact(ui, "Agent's share", fmt::format("{:.0f} %", 100.0 * record.metrics.agent_share));
+  fact(ui, "Path", fmt::format("{:.0f} mm", 1e3 * record.metrics.path_length_m));
+  fact(ui, "Seed, block", fmt::format("{}, {}", record.seed, record.block));
+  if (trial.excluded) {
+    fact(ui, "Left out", trial.reason);
+    if (button(ui, "Include", {.icon = icon::kVerify, .help = "It counts in the results again"})) {
+      requests.emplace_back(Command{workbench::CommitEdit{workbench::JudgeTrial{trial.id, false, ""}}});
+    }
+  } else {
+    form_label(ui, "Reason");
+    text_field(ui, "Reason", why_, "Why it is left out");
+    if (button(ui, "Exclude",
+               {.icon = icon::kCross,
+                .help = "Leave it out of the results; it stays in the project",
+                .reason = why_.empty() ? "Say why first" : ""})) {
+      requests.emplace_back(Command{workbench::CommitEdit{workbench::JudgeTrial{trial.id, true, why_}}});
+    }
+  }
+  ImGui::SameLine();
+  if (button(ui, "Verify replay", {.icon = icon::kRefresh, .help = "Simulate it again and compare every hash"})) {
+    requests.emplace_back(Command{workbench::VerifyReplay{demonstration::DemonstrationId{trial.id.value}}});
+  }
+}
+
+void TrialsPanel::draw_list(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const Scope scope(ui, "List");
+  if (state.project->trials.empty()) {
+    empty_state(ui, icon::kTasks, "No trials yet", "What is run on the page Run stays here, with its record", {},
+                ui.px(160));
+    return;
+  }
+  const workbench::TrialEntry* selected = nullptr;
+  for (const auto& [id, trial] : state.project->trials) {
+    const bool is_selected = state.demonstration.value == id.value;
+    if (is_selected) selected = trial.get();
+    const trial::TrialRecord& record = trial->record;
+    const std::string value = fmt::format("{}, {}{}", demonstration::to_string(record.outcome),
+                                          record.completion_s ? seconds(*record.completion_s) : "no completion",
+                                          trial->excluded ? ", left out" : "");
+    ImGui::PushID(static_cast<int>(id.value));
+    if (selectable_row(ui, trial->name, is_selected, value, {.help = "Show it in the view and in the timeline"})) {
+      requests.emplace_back(Command{workbench::SelectDemonstration{demonstration::DemonstrationId{id.value}}});
+    }
+    ImGui::PopID();
+  }
+  ImGui::Dummy({0.0F, ui.px(4)});
+  if (selected != nullptr) draw_judgement(ui, *selected, requests);
+}
+
+void TrialsPanel::draw_results(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  const Scope scope(ui, "Results");
+  if (of_ != state.project) {
+    results_ = workbench::results_of(workbench::counted_trials(*state.project, ""));
+    of_ = state.project;
+  }
+  if (results_.modes[0].trials + results_.modes[1].trials == 0) {
+    empty_state(ui, icon::kChart, "No results yet", "Run trials by both modes with the same seeds to compare them", {},
+                ui.px(160));
+    return;
+  }
+  if (results_.scripted) {
+    badge(ui, icon::kChip, "scripted", ui.theme().warning, "Made by a script: no person took part");
+  }
+  dim_text(ui, workbench::operators_label(results_));
+  if (ImGui::BeginTable("##results", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) {
+    ImGui::TableSetupColumn("");
+    ImGui::TableSetupColumn("MT");
+    ImGui::TableSetupColumn("SC");
+    ImGui::TableHeadersRow();
+    for (const workbench::ResultRow& row : workbench::result_rows(results_)) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(row.name.c_str());
+      for (std::size_t i = 0; i < 2; ++i) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(row.values[i].c_str());
+        note_item(ui, "text", fmt::format("{} {}", i == 0 ? "MT" : "SC", row.name), row.values[i], {});
+      }
+    }
+    ImGui::EndTable();
+  }
+  for (const std::string& line : workbench::paired_lines(results_.paired)) wrapped_text(ui, line, ui.theme().text);
+  ImGui::Dummy({0.0F, ui.px(4)});
+  form_label(ui, "File");
+  text_field(ui, "File", file_, "trials.csv");
+  const bool known = file_.ends_with(".csv") || file_.ends_with(".html");
+  if (button(ui, "Export",
+             {.icon = icon::kDownload,
+              .help = "A row for each trial as .csv, or the comparison as a page as .html",
+              .reason = known ? "" : "The name must end in .csv or .html"})) {
+    requests.emplace_back(Command{workbench::ExportTrials{file_}});
+  }
+}
+
+Requests TrialsPanel::draw(Ui& ui, const WorkbenchState& state) {
+  Requests requests;
+  if (draw_no_project(ui, state, requests)) return requests;
+  static const std::vector<std::string> kPages{"Run", "Trials", "Results"};
+  segmented(ui, "Page", page_, kPages, {.help = "Run them, look at each, or at all together"});
+  ImGui::Dummy({0.0F, ui.px(4)});
+  if (page_ == 0) {
+    if (state.trials) {
+      draw_runner(ui, state, requests);
+    } else {
+      draw_setup(ui, state, requests);
+    }
+  } else if (page_ == 1) {
+    draw_list(ui, state, requests);
+  } else {
+    draw_results(ui, state, requests);
+  }
+  return requests;
+}
+
+}  // namespace trocar::ui

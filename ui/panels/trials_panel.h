@@ -1,0 +1,49 @@
+/// Trials: what is to be run and by whom, the runner's screen while it runs, and what came of all of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/workbench/trial_results.h"
+#include "ui/panel.h"
+
+namespace trocar::ui {
+
+class TrialsPanel final : public Panel {
+ public:
+  Requests draw(Ui& ui, const WorkbenchState& state) override;
+
+ private:
+  void draw_setup(Ui& ui, const WorkbenchState& state, Requests& requests);
+  void draw_who(Ui& ui);
+  void draw_how(Ui& ui);
+  void draw_runner(Ui& ui, const WorkbenchState& state, Requests& requests);
+  void draw_live(Ui& ui, const WorkbenchState& state);
+  void draw_list(Ui& ui, const WorkbenchState& state, Requests& requests);
+  void draw_judgement(Ui& ui, const workbench::TrialEntry& trial, Requests& requests);
+  void draw_results(Ui& ui, const WorkbenchState& state, Requests& requests);
+  workbench::StartTrials request() const;
+  /// Why they cannot be run; "" if they can.
+  std::string reason(const WorkbenchState& state) const;
+
+  int page_ = 0;
+  int protocol_ = 0;
+  int mode_ = 1;
+  int operator_ = 0;
+  int skill_ = 0;
+  int anchor_ = 0;
+  std::int64_t transfers_ = 6;
+  std::int64_t seed_ = 1;
+  std::int64_t subject_ = 1;
+  std::int64_t rate_ = 20;
+  std::string delay_ = "0";
+  bool realtime_ = true;
+  bool in_turn_ = true;
+  std::int64_t block_ = 0;
+  std::string why_;  ///< Of what is excluded.
+  std::string file_ = "trials.csv";
+  std::shared_ptr<const workbench::Project> of_;  ///< Whose results these are.
+  workbench::TrialResults results_;
+};
+
+}  // namespace trocar::ui
