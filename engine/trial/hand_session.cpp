@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/core/check.h"
 #include "engine/core/spsc_queue.h"
 #include "engine/trial/arm_drive.h"
 #include "engine/trial/hand_provenance.h"
