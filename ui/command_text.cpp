@@ -160,6 +160,7 @@ std::string rollout_rows_text(const ExportRollouts& command, const WorkbenchStat
     return physics_text(state.physics ? state.physics->options : trial::PhysicsOptions(), state, project) + path;
   }
   std::string text = rollouts_text("run", state, project);
+  if (command.rows == workbench::RolloutRows::kBand) return text + " --band " + path;
   if (command.rows == workbench::RolloutRows::kErring) {
     text += erring_text(state.monte_carlo ? state.monte_carlo->result.options : learning::MonteCarloOptions());
   }
