@@ -115,7 +115,7 @@ bool choose_drawings(Ui& ui, const FieldShading& shading, FieldSettings& setting
   const std::string_view reason = shading.field().categorical ? "Classes have neither surface nor volume" : "";
   bool changed = checkbox(ui, "Voxels", settings.voxels, {.help = "Draw the cells above the threshold as small cubes"});
   changed |= flag(ui, "Surface", settings.iso_surface, "Draw where the field has one value", reason);
-  changed |= flag(ui, "Volume", settings.volume, "Draw the field as a cloud, thick where it is strong", reason);
+  changed |= flag(ui, "Volume", settings.volume, "Draw the field as a cloud, as thick as its curve says", reason);
   changed |= flag(ui, "Streamlines", settings.streamlines, "Draw where the greedy policy leads");
   return changed;
 }
