@@ -160,6 +160,7 @@ std::string rollout_rows_text(const ExportRollouts& command, const WorkbenchStat
     return physics_text(state.physics ? state.physics->options : trial::PhysicsOptions(), state, project) + path;
   }
   std::string text = rollouts_text("run", state, project);
+  if (command.rows == workbench::RolloutRows::kBand) return text + " --band " + path;
   if (command.rows == workbench::RolloutRows::kErring) {
     text += erring_text(state.monte_carlo ? state.monte_carlo->result.options : learning::MonteCarloOptions());
   }
@@ -253,6 +254,7 @@ std::string also_text(const workbench::FieldSettings& field) {
   if (field.voxels) text += fmt::format(",voxels={:.6g}", field.voxel_threshold);
   if (field.iso_surface) text += fmt::format(",iso={:.6g}", field.iso_level);
   if (field.volume) text += ",volume";
+  if (field.volume && field.opacity_curve) text += "=" + plot::to_string(*field.opacity_curve);
   for (std::size_t i = 0; i < field.slices.size(); ++i) {
     if (field.slices[i] >= 0) text += fmt::format(",{}={}", "xyz"[i], field.slices[i]);
   }
@@ -289,6 +291,7 @@ std::string view_text(const workbench::FieldSettings& field, const WorkbenchStat
   if (field.voxels) text += fmt::format(" --voxels {:.6g}", field.voxel_threshold);
   if (field.iso_surface) text += fmt::format(" --iso {:.6g}", field.iso_level);
   if (field.volume) text += " --volume";
+  if (field.volume && field.opacity_curve) text += " --opacity-curve " + plot::to_string(*field.opacity_curve);
   if (field.glyphs != workbench::Glyphs::kNone) text += fmt::format(" --glyphs {}", to_string(field.glyphs));
   if (field.streamlines) text += " --streamlines " + shell_word(field.streamline_starts);
   return text + fmt::format(" --opacity {:.6g} --out F.png", field.opacity);

@@ -8,7 +8,6 @@
 #include "ui/command_table.h"
 #include "ui/command_text.h"
 #include "ui/panels/common.h"
-#include "ui/panels/fields_panel.h"
 
 namespace trocar::ui {
 namespace {
@@ -129,7 +128,7 @@ Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
   const bool typing = ImGui::GetIO().WantTextInput;
   const auto means = [&](const Chord& chord) {
     if (!pressed(ui.input(), chord) || TakeKeys::claims(chord, state)) return false;
-    if (tiles_.current(ui) == PanelId::kFields && FieldsPanel::claims(chord, state)) return false;
+    if (tiles_.panel(tiles_.current(ui)).claims(ui, chord, state)) return false;
     // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.
     const bool plain = !chord.modifiers.control && !chord.modifiers.alt;
     if ((typing || form_open()) && (plain || typing)) return false;

@@ -22,6 +22,7 @@ struct RunArguments {
   std::string model;
   std::string starts;
   std::string out;
+  std::string band;
   bool spread = false;
   double epsilon = -1.0;  ///< < 0: the agent does not err.
   learning::MonteCarloOptions erring;
@@ -32,6 +33,9 @@ void bind_run(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("MODEL", arguments.model, "Id or name")->required();
   verb.add_option("--starts", arguments.starts, starts_help() + "; else around:3, and ±1 … ±5 beside it");
   verb.add_option("--out", arguments.out, "F.csv: also write one row for each rollout");
+  verb.add_option("--band", arguments.band,
+                  "F.csv: also write how far the rollouts are from the expert, step by step: how many still go on, and "
+                  "5, 25, 50, 75 and 95 % of these");
   verb.add_flag("--spread", arguments.spread,
                 "Also say how many have arrived by which step, and how far rollouts stray, by their end");
   verb.add_option("--epsilon", arguments.epsilon,
@@ -113,6 +117,7 @@ Result<std::optional<learning::MonteCarlo>> err_at_random(const RunArguments& ar
 
 Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   if (!arguments.out.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".csv"}));
+  if (!arguments.band.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.band, arguments.project, {".csv"}));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   const learning::Model& model = *entry->model;
@@ -131,6 +136,10 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
     TROCAR_ASSIGN_OR_RETURN(const std::string csv,
                             workbench::rollout_rows(model, starts, erring ? &*erring : nullptr, console.progress()));
     TROCAR_RETURN_IF_ERROR(write_file(arguments.out, csv));
+  }
+  if (!arguments.band.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(const std::string csv, workbench::band_rows(model, starts));
+    TROCAR_RETURN_IF_ERROR(write_file(arguments.band, csv));
   }
 
   Answer answer;

@@ -13,6 +13,7 @@
 #include "engine/learning/imported_model.h"
 #include "engine/learning/model.h"
 #include "engine/learning/monte_carlo.h"
+#include "engine/learning/rollout_table.h"
 #include "engine/media/video_writer.h"
 #include "engine/plot/colour_map.h"
 #include "engine/scene/scene.h"
@@ -165,6 +166,7 @@ struct SetFieldLayers {
   std::vector<FieldSettings> layers;
 };
 /// What all rollouts have in common at an instant of their play: so many steps, or the same share of the way of each.
+/// A model is of one segment: the share of the way is that of the segment.
 enum class GhostPace : std::uint8_t { kStep, kLength };
 struct RolloutSettings {
   std::string starts = "around:3";  ///< As `learning::read_starts` reads it.
@@ -175,6 +177,7 @@ struct RolloutSettings {
   GhostPace pace = GhostPace::kStep;
   /// How far the rollouts have come where they are drawn: steps, or the share of its way, 0 … 1. None: to their ends.
   std::optional<double> reach;
+  std::vector<learning::RolloutRange> brushed;  ///< Rollouts outside of one of them are grey and thin in the 3-D view.
   bool operator==(const RolloutSettings&) const = default;
 };
 struct SetRollouts {
@@ -189,8 +192,9 @@ struct RunMonteCarlo {
 struct RunPhysics {
   trial::PhysicsOptions options;
 };
-/// Which rows of rollouts are written: of the greedy ones, these with what erring at random found, or the simulator's.
-enum class RolloutRows : std::uint8_t { kGreedy, kErring, kSimulated };
+/// Which rows of rollouts are written: of the greedy ones, these with what erring at random found, the simulator's, or
+/// the band of the deviations of the greedy ones, step by step.
+enum class RolloutRows : std::uint8_t { kGreedy, kErring, kSimulated, kBand };
 /// Writes the rows of the chosen starts. What was found of another model or of other starts is not written.
 struct ExportRollouts {
   std::filesystem::path path;

@@ -61,5 +61,8 @@ double steps_taken(const learning::Rollout& rollout, const RolloutSettings& sett
 /// the same starts, or null. Errors: kCancelled.
 Result<std::string> rollout_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                                  const learning::MonteCarlo* monte_carlo, Progress& progress);
+/// The deviations of all of them from the expert, step by step, as window and command line write them.
+/// Errors: kInvalidArgument where fewer than `learning::kLeastInBand` begin.
+Result<std::string> band_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts);
 
 }  // namespace trocar::workbench

@@ -1,6 +1,7 @@
 #include "engine/workbench/view_director.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace trocar::workbench {
 namespace {
 
 constexpr double kSettle_s = 0.150;
+constexpr Rgba kStepsBack{128, 132, 140, 255};  ///< Of what steps back: what was before, what is not brushed.
 constexpr double kLivePeriod_s = 1.0 / 15.0;
 
 /// The colours in which figures and slices show the outcomes.
@@ -51,8 +53,17 @@ void add_ghosts(const PathsRequest& request, std::vector<stage::PathLayer>& path
   const std::vector<Rgba> colours = outcome_colours();
   const spatial::Grid& grid = insight.entry->model->grid;
   const auto colour = [&colours](const learning::Rollout& one) { return colours[static_cast<std::size_t>(one.end)]; };
-  for (const learning::Rollout& rollout : ghosts) {
-    if (rollout.cells.size() > 1) add_rollout(rollout, grid, request.how, colour(rollout), 0.00025, paths);
+  const auto& clearance_m = insight.clearance_m;
+  const std::span<const double> by_cell =
+      clearance_m ? std::span<const double>(*clearance_m) : std::span<const double>();
+  for (std::size_t i = 0; i < ghosts.size(); ++i) {
+    if (ghosts[i].cells.size() < 2) continue;
+    // The second model's begin where the first one's do, and it is by the first one's measures that one brushes.
+    if (learning::lies_in(insight.ghosts[i], request.how.brushed, grid, by_cell)) {
+      add_rollout(ghosts[i], grid, request.how, colour(ghosts[i]), 0.00025, paths);
+    } else {
+      add_rollout(ghosts[i], grid, request.how, kStepsBack, 0.0001, paths);
+    }
   }
   if (!selected || selected->cells.size() < 2) return;
   // What stands out is thick, in the colour of its end as all others.
@@ -61,10 +72,9 @@ void add_ghosts(const PathsRequest& request, std::vector<stage::PathLayer>& path
 
 /// Where the tools went before the edit that is shown.
 void add_ghost_of(const demonstration::Demonstration& before, std::vector<stage::PathLayer>& paths) {
-  constexpr Rgba kGhost{128, 132, 140, 255};
   for (const kinematics::ArmSide side : {kinematics::ArmSide::kLeft, kinematics::ArmSide::kRight}) {
     stage::PathLayer ghost = stage::path_of(before, side);
-    ghost.colours = {kGhost};
+    ghost.colours = {kStepsBack};
     ghost.radius_m *= 0.6;
     paths.push_back(std::move(ghost));
   }
@@ -111,6 +121,7 @@ PathsRequest paths_of(const WorkbenchState& state) {
   request.rollouts = state.insight;
   request.how.pace = state.rollouts.pace;
   request.how.reach = state.rollouts.reach;
+  request.how.brushed = state.rollouts.brushed;
   return request;
 }
 

@@ -85,6 +85,11 @@ void Workbench::Impl::on(const ExportRollouts& command) {
           write_file(command.path, trial::physics_csv(*entry->model, cells, simulated->options, simulated->rollouts)));
       return JobResult{fmt::format("{} rollouts of the simulator written", simulated->finished), {}};
     }
+    if (command.rows == RolloutRows::kBand) {
+      TROCAR_ASSIGN_OR_RETURN(const std::string rows, band_rows(*entry->model, cells));
+      TROCAR_RETURN_IF_ERROR(write_file(command.path, rows));
+      return JobResult{fmt::format("the band of {} rollouts written", cells.size()), {}};
+    }
     const bool erring = command.rows == RolloutRows::kErring;
     if (erring && (!erred || erred->entry != entry || erred->result.starts != cells)) {
       return fail(ErrorCode::kInvalidArgument, "from these starts this model did not err at random");

@@ -81,8 +81,9 @@ class Story(CommandLineTest):
         # The same bytes as the command line's.
         typed = self.folder / "typed.csv"
         self.answer("rollout", "run", project, "paper", "--starts", "around:3", "--epsilon", "0.1", "--runs", "50",
-                    "--seed", "1", "--out", typed)
+                    "--seed", "1", "--out", typed, "--band", self.folder / "typed_band.csv")
         self.assertEqual((self.folder / "window.csv").read_bytes(), typed.read_bytes())
+        self.assertEqual((self.folder / "band.csv").read_bytes(), (self.folder / "typed_band.csv").read_bytes())
         # The correction begins in the cell that failed, and all of it on the way to the block has its label.
         out = self.folder / "corrective.csv"
         self.answer("demo", "export", project, "Corrective 1", out)

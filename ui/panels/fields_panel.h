@@ -5,7 +5,7 @@
 #include "ui/panels/field_probe.h"
 #include "ui/panels/field_shading.h"
 #include "ui/panels/field_slices.h"
-#include "ui/shortcut.h"
+#include "ui/panels/opacity_editor.h"
 
 namespace trocar::ui {
 
@@ -13,7 +13,7 @@ class FieldsPanel final : public Panel {
  public:
   Requests draw(Ui& ui, const WorkbenchState& state) override;
   /// Keys that are this panel's while the pointer is over it and a field is shown: X, Y, Z and Ctrl+C.
-  static bool claims(const Chord& chord, const WorkbenchState& state);
+  bool claims(const Ui& ui, const Chord& chord, const WorkbenchState& state) const override;
 
  private:
   void take_keys(Ui& ui, const WorkbenchState& state, Requests& requests);
@@ -22,6 +22,7 @@ class FieldsPanel final : public Panel {
   FieldShading shading_;
   FieldSlices slices_;
   FieldProbe probe_;
+  OpacityEditor opacity_;
   bool montage_ = false;
   workbench::ModelId pinned_of_;
 };

@@ -135,24 +135,31 @@ std::string RolloutRuns::no_rows(const WorkbenchState& state) const {
     if (!state.physics) return "Nothing is known yet: simulate the rollouts first";
     if (of_others(state.physics)) return std::string(kOthers);
   }
+  const auto starts = static_cast<int>(state.insight->starts.size());
+  if (rows == workbench::RolloutRows::kBand && starts > 0 && starts < learning::kLeastInBand) {
+    return fmt::format("A band needs {} starts", learning::kLeastInBand);
+  }
   return no_starts(state);
 }
 
 void RolloutRuns::draw_export(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "Export");
-  static const std::vector<std::string> kRows{"Exact", "Erring", "Simulator"};
+  static const std::vector<std::string> kRows{"Exact", "Erring", "Simulator", "Band"};
   heading(ui, "Export");
   form_label(ui, "Rows");
   segmented(
       ui, "Rows", rows_, kRows,
-      {.help = "All measures of each start; these with runs, arrivals and Wilson's interval; or the simulator's"});
+      {.help = "All measures of each start; these with runs, arrivals and Wilson's interval; the simulator's; or the "
+               "deviations from the expert, step by step"});
   form_label(ui, "File");
   text_field(ui, "File", file_, "rollouts.csv", {.help = ".csv: the bytes that the command line writes"});
   const std::string reason = no_rows(state);
   const Command rows{workbench::ExportRollouts{file_, static_cast<workbench::RolloutRows>(rows_)}};
   if (button(ui, "Export CSV",
              {.icon = icon::kTable,
-              .help = "One row for each chosen start; the same bytes as the command line writes",
+              .help = rows_ == static_cast<int>(workbench::RolloutRows::kBand)
+                          ? "One row for each step; the same bytes as the command line writes"
+                          : "One row for each chosen start; the same bytes as the command line writes",
               .reason = reason})) {
     requests.emplace_back(rows);
   }

@@ -32,6 +32,20 @@ struct PlayedDesk : Desk {
     CHECK(text_of(driver().click(path)) == "");
     frames(2);
   }
+  /// A click in each of whose frames the window knows what was asked for before.
+  void press(const std::string& path) {
+    const Result<Item> item = driver().item(path);
+    REQUIRE(item);
+    press_at(item->rect.centre_x(), item->rect.centre_y());
+  }
+  void press_at(float x, float y) {
+    window.input().push(MouseMoved{x, y});
+    frames(1);
+    for (const bool down : {true, false}) {
+      window.input().push(MouseButton{0, down});
+      frames(2);
+    }
+  }
   std::string value(const std::string& path) {
     const Result<Item> item = driver().item(path);
     return item ? item->value : item.error().text();
@@ -213,6 +227,78 @@ TEST_CASE("each end has its box of worst deviations, told apart by model, with t
   const auto loops = learning::worst_deviations_m(*desk.state.insight->second->listed, learning::RolloutEnd::kLoops);
   REQUIRE(loops.count > 0);
   CHECK(desk.value("Rollouts/Worst deviation/B loops").starts_with(std::to_string(loops.count) + ": "));
+}
+
+TEST_CASE("what is brushed is so in the 3-D view, also while a play goes on, and comes back from there") {
+  PlayedDesk desk("Table");
+  CHECK(text_of(desk.driver().drag("Rollouts/Measures/Steps", 0, -400)) == "");
+  desk.frames(2);
+  REQUIRE(desk.state.rollouts.brushed.size() == 1);
+  CHECK(desk.state.rollouts.brushed[0].measure == RolloutMeasure::kSteps);
+  const std::string brushed = desk.value("Rollouts/Measures/Brushed");
+  desk.commands.clear();
+  desk.state.rollouts.brushed.clear();
+  desk.frames(2);
+  CHECK_FALSE(desk.present("Rollouts/Measures/Brushed"));
+  desk.state.rollouts.brushed = {{RolloutMeasure::kSteps, 0.0, 1000.0}};
+  desk.frames(2);
+  CHECK(desk.value("Rollouts/Measures/Brushed") == "40 of 40 brushed");
+  desk.click("Rollouts/Page/Paths");
+  desk.click("Rollouts/Play/Play");
+  desk.frames(5);
+  desk.press("Rollouts/Small multiples/Show all");
+  CHECK(desk.state.rollouts.brushed.empty());
+  CHECK(desk.state.rollouts.reach);
+}
+
+TEST_CASE("a click on a line makes its rollout stand out, and leaves ranges alone") {
+  PlayedDesk desk("Table");
+  CHECK_FALSE(desk.state.rollouts.selected);
+  CHECK(text_of(desk.driver().drag("Rollouts/Measures/Steps", 0, -400)) == "");
+  desk.frames(2);
+  // The axis of all that arrive: every line meets it where the top one does.
+  const Result<Item> item = desk.driver().item("Rollouts/Measures/End");
+  REQUIRE(item);
+  bool found = false;
+  for (float y = item->rect.y1 - 4.0F; y > item->rect.y0 && !found; y -= 3.0F) {
+    desk.press_at(item->rect.centre_x(), y);
+    found = desk.state.rollouts.selected.has_value();
+  }
+  REQUIRE(found);
+  CHECK(std::any_of(desk.listed().begin(), desk.listed().end(),
+                    [&](const auto& one) { return one.start == *desk.state.rollouts.selected; }));
+  CHECK(desk.state.rollouts.brushed.size() == 1);
+}
+
+TEST_CASE("Space plays and pauses the rollouts where they are shown, and the demonstration elsewhere") {
+  PlayedDesk desk("Paths");
+  CHECK(text_of(desk.driver().hover("Rollouts/Play/Pace/By step")) == "");
+  desk.frames(2);
+  CHECK(text_of(desk.driver().key("Space")) == "");
+  desk.frames(10);
+  CHECK(desk.present("Rollouts/Play/Pause"));
+  CHECK(desk.state.rollouts.reach);
+  CHECK(desk.last<workbench::Play>() == nullptr);
+  CHECK(text_of(desk.driver().key("Space")) == "");
+  desk.frames(2);
+  CHECK(desk.present("Rollouts/Play/Play"));
+  desk.click("Rollouts/Page/Table");
+  CHECK(text_of(desk.driver().key("Space")) == "");
+  CHECK(desk.last<workbench::Play>() != nullptr);
+}
+
+TEST_CASE("the band says how many of all still go on") {
+  PlayedDesk desk("Spread");
+  const auto& band = desk.state.insight->band;
+  CHECK(desk.value("Rollouts/Deviation/Band").ends_with("40 of 40 go on"));
+  const Result<Item> item = desk.driver().item("Rollouts/Deviation/Band");
+  REQUIRE(item);
+  // From its middle far to the right: the last step.
+  CHECK(text_of(desk.driver().drag("Rollouts/Deviation/Band", 0.48F * item->rect.width(), 0)) == "");
+  desk.frames(2);
+  const std::string last = std::to_string(band.count.size() - 1);
+  CHECK(desk.value("Rollouts/Deviation/Band").starts_with("step " + last + ": "));
+  CHECK(desk.value("Rollouts/Deviation/Band").ends_with(", " + std::to_string(band.count.back()) + " of 40 go on"));
 }
 
 }  // namespace trocar::ui

@@ -181,6 +181,11 @@ TEST_CASE("rows are exported under the name that was typed, and copied as the co
   CHECK(desk.last<workbench::ExportRollouts>()->path == "mine.csv");
   desk.click("Rollouts/Export/Copy as command");
   CHECK(desk.window.clipboard() == "trocar rollout run /data/pegs.trocar 3 --starts around:3 --out mine.csv");
+  desk.click("Rollouts/Export/Rows/Band");
+  desk.click("Rollouts/Export/Export CSV");
+  CHECK(desk.last<workbench::ExportRollouts>()->rows == workbench::RolloutRows::kBand);
+  desk.click("Rollouts/Export/Copy as command");
+  CHECK(desk.window.clipboard() == "trocar rollout run /data/pegs.trocar 3 --starts around:3 --band mine.csv");
 }
 
 TEST_CASE("rows of erring and of the simulator are offered once they are known of these starts, with their commands") {
