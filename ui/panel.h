@@ -20,6 +20,8 @@ class Panel {
   virtual Requests draw(Ui& ui, const WorkbenchState& state) = 0;
   /// Opens the form of an edit, where the panel has one.
   virtual void begin_edit(const BeginEdit&, const WorkbenchState&) {}
+  /// The slice of a field that is looked at, "z=11"; "" while there is none.
+  virtual std::string shown_slice() const { return ""; }
 };
 
 /// `time` is what panels over time show; they share it.

@@ -48,7 +48,7 @@ constexpr PanelPage kRollouts{
     "How many starts arrive, loop or end nowhere: all cells, those near the expert's start, or cells that are painted. "
     "One rollout is picked out by the map, the table or the small pictures; if it fails, it is said why, and a "
     "demonstration that puts it right can be begun there. The agent can err at random, and be driven through the "
-    "simulator.",
+    "simulator. Each page can be written as a figure, and all rollouts as a table.",
     {"view.ghosts", "model.train"},
     {{{"Select a start", "Click it in the map, the table or the pictures"},
       {"Paint starts", "Drag over the map; Erase takes them away"},

@@ -44,6 +44,14 @@ bool RolloutBrush::any() const {
   return std::any_of(ranges_.begin(), ranges_.end(), [](const auto& range) { return range.has_value(); });
 }
 
+std::vector<figure::KeptRange> RolloutBrush::ranges() const {
+  std::vector<figure::KeptRange> found;
+  for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    if (ranges_[i]) found.push_back({static_cast<learning::RolloutMeasure>(i), (*ranges_[i])[0], (*ranges_[i])[1]});
+  }
+  return found;
+}
+
 void RolloutBrush::sift() {
   kept_.assign(of_ ? of_->size() : 0, 1);
   for (std::size_t m = 0; m < ranges_.size(); ++m) {

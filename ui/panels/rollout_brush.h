@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/figure/rollout_figure.h"
 #include "engine/learning/rollout_table.h"
 #include "engine/workbench/insight.h"
 
@@ -26,6 +27,8 @@ class RolloutBrush {
   void set(learning::RolloutMeasure measure, std::optional<Range> range);
   void clear();
   bool any() const;
+  /// All ranges there are.
+  std::vector<figure::KeptRange> ranges() const;
   bool keeps(std::size_t place) const { return kept_[place] != 0; }
   std::size_t kept() const { return kept_count_; }
   /// Another number whenever other rollouts may be kept.

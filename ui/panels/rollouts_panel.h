@@ -19,7 +19,7 @@ class RolloutsPanel final : public Panel {
 
  private:
   void draw_ghosts(Ui& ui, const WorkbenchState& state, Requests& requests);
-  void draw_spread(Ui& ui, const WorkbenchState& state);
+  void draw_spread(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_outcomes(Ui& ui, const WorkbenchState& state, Requests& requests);
 
   RolloutStarts starts_;
