@@ -11,13 +11,14 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 75> kEquivalents{{
+constexpr std::array<Equivalent, 76> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
     {"file.import", "trocar demo import P FILE"},
     {"file.export_demonstrations", "trocar demo export P DEMO FILE"},
     {"file.export_video", "trocar video render P DEMO --out F.mp4"},
     {"file.export_field", "trocar field export P MODEL --layer reward --montage --out F.png"},
+    {"file.export_plot", "trocar rollout plot P MODEL --kind arrivals --out F.pdf"},
     {"file.checkpoint", "trocar history P --checkpoint NAME"},
     {"edit.undo", "trocar undo P"},
     {"edit.redo", "trocar redo P"},

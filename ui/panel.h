@@ -23,6 +23,8 @@ class Panel {
   virtual bool claims(const Ui&, const Chord&, const WorkbenchState&) const { return false; }
   /// Opens the form of an edit, where the panel has one.
   virtual void begin_edit(const BeginEdit&, const WorkbenchState&) {}
+  /// The slice of a field that is looked at, "z=11"; "" while there is none.
+  virtual std::string shown_slice() const { return ""; }
 };
 
 /// `time` is what panels over time show; they share it.

@@ -49,7 +49,8 @@ constexpr PanelPage kRollouts{
     "How many starts arrive, loop or end nowhere: all cells, those near the expert's start, or cells that are painted. "
     "One rollout is picked out by the map, the table or the small pictures; if it fails, it is said why, and a "
     "demonstration that puts it right can be begun there. The agent can err at random, and be driven through the "
-    "simulator. All play together: by steps, or by the share of their ways, which plays their segment from 0 to 100 %.",
+    "simulator. All play together: by steps, or by the share of their ways, which plays their segment from 0 to 100 %. "
+    "Each page can be written as a figure, and all rollouts as a table.",
     {"view.ghosts", "model.train"},
     {{{"Select a start", "Click it in the map, the table or the pictures, or its line across the measures"},
       {"Keep a range of a measure", "Drag along its axis; a click lets go"},

@@ -32,7 +32,7 @@ std::optional<double> number_of(const std::string& text) {
   return value;
 }
 
-/// "voxels=0.6" into the settings. False for a word that is none.
+/// "voxels=0.6" into the settings. False for a word that is none. Errors: kInvalidArgument for a value out of range.
 Result<bool> take_word(const std::string& word, workbench::FieldSettings& settings) {
   const std::size_t equals = word.find('=');
   const std::string key = word.substr(0, equals);
@@ -62,9 +62,14 @@ Result<bool> take_word(const std::string& word, workbench::FieldSettings& settin
   if (!number) return false;
   if (key == "x" || key == "y" || key == "z") {
     settings.slices[static_cast<std::size_t>(key[0] - 'x')] = static_cast<int>(*number);
-    return *number == std::floor(*number) && *number >= 0.0 && *number < 1000.0;
+    if (*number == std::floor(*number) && *number >= 0.0 && *number < 1000.0) return true;
+    return fail(ErrorCode::kInvalidArgument, fmt::format("--also takes a cell's index after {}=, not {}", key, value));
   }
-  if (*number < 0.0 || *number > 1.0) return false;
+  const bool is_share = key == "voxels" || key == "iso" || key == "opacity";
+  if (is_share && !(*number >= 0.0 && *number <= 1.0)) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("--also takes a share of 0 to 1 after {}=, not {}", key, value));
+  }
   if (key == "voxels") {
     settings.voxels = true;
     settings.voxel_threshold = *number;

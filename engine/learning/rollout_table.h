@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/progress.h"
+#include "engine/core/result.h"
 #include "engine/learning/monte_carlo.h"
 #include "engine/learning/rollout.h"
 
@@ -29,6 +30,21 @@ enum class RolloutMeasure : std::uint8_t {
   kClearance,
 };
 constexpr int kRolloutMeasures = 13;
+
+/// What a measure is called, and in what it is written: its SI value times `scale` is in `unit`.
+struct MeasureWords {
+  std::string_view word;   ///< "max_deviation": on the command line.
+  std::string_view name;   ///< "Worst": over a column.
+  std::string_view title;  ///< "Worst deviation"
+  std::string_view unit;   ///< "mm"; "" for a number.
+  double scale = 1.0;
+};
+const MeasureWords& words_of(RolloutMeasure measure);
+/// By its word. Errors: kInvalidArgument with the words that there are.
+Result<RolloutMeasure> rollout_measure_from(std::string_view word);
+/// The value in its unit, and its class in words: "12.5 mm", "loops", "never", "unknown" for NaN; a start by its flat
+/// number.
+std::string measure_text(RolloutMeasure measure, double value);
 
 /// The last three moves in their order, "-z -z -z"; fewer for a shorter rollout, "" where it never moved.
 std::string last_moves(const spatial::Grid& grid, const CellSequence& cells);

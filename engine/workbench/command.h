@@ -27,6 +27,7 @@
 #include "engine/workbench/field_settings.h"
 #include "engine/workbench/import_settings.h"
 #include "engine/workbench/job_view.h"
+#include "engine/workbench/plot_settings.h"
 
 namespace trocar::workbench {
 
@@ -197,8 +198,13 @@ struct RunPhysics {
 enum class RolloutRows : std::uint8_t { kGreedy, kErring, kSimulated, kBand };
 /// Writes the rows of the chosen starts. What was found of another model or of other starts is not written.
 struct ExportRollouts {
-  std::filesystem::path path;
+  std::filesystem::path path;  ///< .csv, .json or .h5.
   RolloutRows rows = RolloutRows::kGreedy;
+};
+/// Draws the selected model, and the second one beside it, from the chosen starts; or their learning curves.
+struct ExportPlot {
+  PlotSettings settings;
+  std::filesystem::path path;
 };
 /// How models are looked at: beside which other one, at which epoch, and whether a model of the method `exact` follows
 /// its demonstrations while they are edited.
@@ -330,9 +336,9 @@ using Command =
                  SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch,
                  NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping,
                  SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetFieldLayers,
-                 SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, RecordScripted, StopRecording,
-                 RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration,
-                 FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport, MakeImport,
-                 ExportDemonstrations, CancelJob, Report>;
+                 SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, ExportPlot, RecordScripted,
+                 StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay,
+                 SimulateDemonstration, FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport,
+                 MakeImport, ExportDemonstrations, CancelJob, Report>;
 
 }  // namespace trocar::workbench

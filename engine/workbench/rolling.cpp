@@ -52,6 +52,13 @@ double steps_taken(const learning::Rollout& rollout, const RolloutSettings& sett
   return std::clamp(settings.pace == GhostPace::kLength ? *settings.reach * all : *settings.reach, 0.0, all);
 }
 
+std::map<std::string, std::string> about_rollouts(const ModelEntry& entry, const std::string& starts) {
+  return {{"model", entry.name},
+          {"method", std::string(learning::to_string(entry.model->options.method))},
+          {"segment", std::string(1, demonstration::letter(entry.segment))},
+          {"starts", starts}};
+}
+
 Result<std::string> rollout_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                                  const learning::MonteCarlo* monte_carlo, Progress& progress) {
   const std::vector<double> clearance_m = peg_board::clearances_m(model.grid);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -56,6 +57,9 @@ trial::PhysicsOptions physics_options_of(const Project& project, const ModelEntr
 /// How many steps a rollout has taken where rollouts are drawn: all of them without `RolloutSettings::reach`. As every
 /// step is one cell long, a share of its way is that share of its steps.
 double steps_taken(const learning::Rollout& rollout, const RolloutSettings& settings);
+
+/// What a file of rollouts says of whose they are: "model", "method", "segment", "starts".
+std::map<std::string, std::string> about_rollouts(const ModelEntry& entry, const std::string& starts);
 
 /// The rows of rollouts with the clearance on this board, as window and command line write them. `monte_carlo` is of
 /// the same starts, or null. Errors: kCancelled.

@@ -7,6 +7,7 @@
 
 #include "engine/core/same_object.h"
 #include "engine/figure/field_figure.h"
+#include "engine/figure/outcome_colours.h"
 #include "engine/learning/field.h"
 #include "engine/workbench/rolling.h"
 #include "engine/workbench/whiskers.h"
@@ -17,14 +18,6 @@ namespace {
 constexpr double kSettle_s = 0.150;
 constexpr Rgba kStepsBack{128, 132, 140, 255};  ///< Of what steps back: what was before, what is not brushed.
 constexpr double kLivePeriod_s = 1.0 / 15.0;
-
-/// The colours in which figures and slices show the outcomes.
-std::vector<Rgba> outcome_colours() {
-  learning::Field outcomes;
-  outcomes.layer = learning::Layer::kBasin;
-  outcomes.categories.resize(static_cast<std::size_t>(learning::RolloutEnd::kOutsideSafeSet) + 1);
-  return figure::category_colours(outcomes);
-}
 
 /// Where a rollout has come to: a knob at the end of its way.
 stage::PathLayer head_at(const Eigen::Vector3d& p_W, Rgba colour, double radius_m) {
@@ -50,9 +43,8 @@ void add_ghosts(const PathsRequest& request, std::vector<stage::PathLayer>& path
   const ModelInsight& insight = *request.rollouts;
   const std::vector<learning::Rollout>& ghosts = request.of_second ? insight.second->ghosts : insight.ghosts;
   const auto& selected = request.of_second ? insight.second->selected : insight.selected;
-  const std::vector<Rgba> colours = outcome_colours();
   const spatial::Grid& grid = insight.entry->model->grid;
-  const auto colour = [&colours](const learning::Rollout& one) { return colours[static_cast<std::size_t>(one.end)]; };
+  const auto colour = [](const learning::Rollout& one) { return figure::outcome_colour(one.end); };
   const auto& clearance_m = insight.clearance_m;
   const std::span<const double> by_cell =
       clearance_m ? std::span<const double>(*clearance_m) : std::span<const double>();

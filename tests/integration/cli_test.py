@@ -295,7 +295,7 @@ class Learning(CommandLineTest):
         project = self.recorded_project()
         out = self.folder / "rollouts.csv"
         answer = self.answer("rollout", "run", project, "A exact", "--starts", "around:2", "--out", out)
-        self.assertEqual(answer["arrived"] + answer["looped"] + answer["dead_end"], answer["count"])
+        self.assertEqual(answer["arrived"] + answer["looped"] + answer["dead_end"] + answer["outside"], answer["count"])
         self.assertEqual([row["k"] for row in answer["around"]], [1, 2, 3, 4, 5])
         self.assertEqual(answer["around"][1]["arrived"], answer["arrived"])
         rows = read_rows(out)

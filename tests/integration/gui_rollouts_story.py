@@ -125,17 +125,17 @@ wait idle 60
 click "Rollouts/Page/Chance"
 frames 3
 click "Rollouts/Export/Rows/Simulator"
-expect "Rollouts/Export/Export CSV" disabled
+expect "Rollouts/Export/Export" disabled
 type "Rollouts/In the simulator/Seed" 5
 click "Rollouts/In the simulator/Simulate"
 wait idle 300
 type "Rollouts/Export/File" "simulated.csv"
-expect "Rollouts/Export/Export CSV" enabled
-click "Rollouts/Export/Export CSV"
+expect "Rollouts/Export/Export" enabled
+click "Rollouts/Export/Export"
 wait idle 60
 click "Rollouts/Export/Rows/Exact"
 type "Rollouts/Export/File" "greedy.csv"
-click "Rollouts/Export/Export CSV"
+click "Rollouts/Export/Export"
 wait idle 60
 """)
         starts = ("--starts", "box:10-11,12-12,18-18")

@@ -12,6 +12,7 @@ namespace trocar::ui {
 class FieldsPanel final : public Panel {
  public:
   Requests draw(Ui& ui, const WorkbenchState& state) override;
+  std::string shown_slice() const override { return slices_.focused(); }
   /// Keys that are this panel's while the pointer is over it and a field is shown: X, Y, Z and Ctrl+C.
   bool claims(const Ui& ui, const Chord& chord, const WorkbenchState& state) const override;
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/figure/outcome_colours.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/rollout_parts.h"
@@ -39,11 +40,8 @@ double value_at(const Rect& line, double low, double high, float y) {
   return low + static_cast<double>((line.y1 - y) / line.height()) * (high - low);
 }
 
-std::string end_of_axis(const Theme& theme, RolloutMeasure measure, double value) {
-  if (measure == RolloutMeasure::kEnd) {
-    const std::string words = end_words(theme, static_cast<learning::RolloutEnd>(std::lround(value))).first;
-    return words.substr(0, words.find(' '));
-  }
+std::string end_of_axis(RolloutMeasure measure, double value) {
+  if (measure == RolloutMeasure::kEnd) return end_sign(static_cast<learning::RolloutEnd>(std::lround(value)));
   if (measure == RolloutMeasure::kDivergence) return value < 0.0 ? "never" : number(value);
   const std::string words = measure_words(measure, value);
   return words.substr(0, words.find(' '));
@@ -173,8 +171,8 @@ void RolloutAxes::draw_lines(Ui& ui, const WorkbenchState& state, const RolloutB
   for (const bool kept : {false, true}) {
     for (const std::size_t place : drawn_of(state)) {
       if (brush.keeps(place) != kept) continue;
-      const Rgba colour = kept ? end_words(ui.theme(), listed[place].end).second : ui.theme().text_disabled;
-      draw_line(place, to_u32(colour, kept ? 0.45F : 0.15F), 1.0F);
+      const Rgba colour = kept ? figure::outcome_colour(listed[place].end) : ui.theme().text_disabled;
+      draw_line(place, to_u32(colour, kept ? 0.6F : 0.15F), 1.0F);
     }
   }
   for (std::size_t i = 0; i < listed.size(); ++i) {
@@ -205,10 +203,9 @@ void RolloutAxes::draw_axes(Ui& ui, const RolloutBrush& brush) const {
     const float name_y = line.y0 - (place % 2 == 0 ? 3.0F : 2.0F) * size - ui.px(3);
     const auto& range = brush.range(measure);
     middle(line.x0, name_y, measure_names()[place + 1], range ? ui.theme().accent : ui.theme().text, 1.9F * apart);
-    middle(line.x0, line.y0 - size - ui.px(1), end_of_axis(ui.theme(), measure, ends_[place].high), ui.theme().text_dim,
+    middle(line.x0, line.y0 - size - ui.px(1), end_of_axis(measure, ends_[place].high), ui.theme().text_dim,
            apart - ui.px(2));
-    middle(line.x0, line.y1 + ui.px(2), end_of_axis(ui.theme(), measure, ends_[place].low), ui.theme().text_dim,
-           apart - ui.px(2));
+    middle(line.x0, line.y1 + ui.px(2), end_of_axis(measure, ends_[place].low), ui.theme().text_dim, apart - ui.px(2));
     if (!range) continue;
     const float top = std::max(height_of(line, ends_[place].low, ends_[place].high, (*range)[1]), line.y0);
     const float bottom = std::min(height_of(line, ends_[place].low, ends_[place].high, (*range)[0]), line.y1);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/figure/outcome_colours.h"
 #include "engine/workbench/rolling.h"
 #include "ui/format.h"
 #include "ui/icons.h"
@@ -45,7 +46,6 @@ std::array<std::string, learning::kRolloutMeasures - 2> cells_of(const Rollout& 
 void table_row(Ui& ui, const WorkbenchState& state, const Rollout& rollout, Requests& requests) {
   const workbench::ModelInsight& insight = *state.insight;
   const std::string label = start_words(insight.entry->model->grid, rollout.start);
-  const auto [words, colour] = end_words(ui.theme(), rollout.end);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(rollout.start.value);
@@ -57,10 +57,7 @@ void table_row(Ui& ui, const WorkbenchState& state, const Rollout& rollout, Requ
   ImGui::TextUnformatted(label.c_str());
   ImGui::PopID();
   ImGui::TableNextColumn();
-  {
-    const ColourScope tint(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(words.c_str());
-  }
+  end_text(ui, rollout.end);
   for (const std::string& text_of_cell : cells_of(rollout, insight)) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(text_of_cell.c_str());
@@ -117,7 +114,7 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
   const learning::Model& model = *state.insight->entry->model;
   const Scope scope(ui, start_words(model.grid, rollout.start));
   ImGui::BeginGroup();
-  const auto [words, colour] = end_words(ui.theme(), rollout.end);
+  const Rgba colour = figure::outcome_colour(rollout.end);
   chart_area(ui, "Rollout", {side, side}, mini_words(rollout, measure, state.rollouts),
              {.help = "From the side: y to the right, z up; the expert's way is grey"});
   const bool clicked = ImGui::IsItemClicked();
@@ -138,8 +135,13 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
   if (!state.rollouts.reach) list.AddCircleFilled(start, ui.px(3), to_u32(ui.theme().text), 12);
   {
     const FontScope font(ui.fonts().small);
-    const std::string sign = words.substr(0, words.find(' '));
-    ImGui::TextUnformatted(fitted(fmt::format("{} {}", sign, measure), side).c_str());
+    {
+      const ColourScope tint(ImGuiCol_Text, colour);
+      ImGui::TextUnformatted(end_sign(rollout.end));
+    }
+    ImGui::SameLine(0.0F, ui.px(4));
+    const float used = ImGui::CalcTextSize(end_sign(rollout.end)).x + ui.px(4);
+    ImGui::TextUnformatted(fitted(std::string(measure), side - used).c_str());
   }
   ImGui::EndGroup();
   return clicked;
@@ -219,6 +221,15 @@ void RolloutMultiples::draw(Ui& ui, const WorkbenchState& state, RolloutBrush& b
     if (mini_view(ui, state, rollout, side, value)) select_start(state, rollout.start, requests);
     ImGui::PopID();
   }
+}
+
+workbench::PlotSettings RolloutMultiples::plot() const {
+  workbench::PlotSettings settings;
+  settings.kind = workbench::PlotKind::kMultiples;
+  settings.by = static_cast<RolloutMeasure>(by_);
+  settings.descending = descending_;
+  settings.columns = columns_;
+  return settings;
 }
 
 }  // namespace trocar::ui

@@ -39,6 +39,8 @@ class RolloutTable {
 class RolloutMultiples {
  public:
   void draw(Ui& ui, const WorkbenchState& state, RolloutBrush& brush, Requests& requests);
+  /// These pictures as a figure.
+  workbench::PlotSettings plot() const;
 
  private:
   RolloutOrder order_;

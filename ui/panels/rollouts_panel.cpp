@@ -87,18 +87,30 @@ void RolloutsPanel::draw_outcomes(Ui& ui, const WorkbenchState& state, Requests&
   summary_block(ui, k > 0 ? fmt::format("Within ±{} cells", k) : std::string("Chosen starts"), insight.chosen);
   ImGui::Dummy({0.0F, ui.px(3)});
   map_.draw(ui, state, requests);
+  workbench::PlotSettings plot;
+  plot.kind = workbench::PlotKind::kMap;
+  plot.slice = map_.slice();
+  export_plot_button(ui, "Export map…", plot, requests);
   ImGui::Dummy({0.0F, ui.px(3)});
   around_table(ui, insight.around, k, requests, state.rollouts);
   ImGui::Dummy({0.0F, ui.px(3)});
   summary_block(ui, "All cells", insight.all);
 }
 
-void RolloutsPanel::draw_spread(Ui& ui, const WorkbenchState& state) {
+void RolloutsPanel::draw_spread(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  workbench::PlotSettings plot;
   arrivals_.draw(ui, state.insight);
+  export_plot_button(ui, "Export arrivals…", plot, requests);
   ImGui::Dummy({0.0F, ui.px(6)});
   boxes_.draw(ui, *state.insight);
+  plot.kind = workbench::PlotKind::kBoxes;
+  plot.measures = {boxes_.measure()};
+  export_plot_button(ui, "Export boxes…", plot, requests);
   ImGui::Dummy({0.0F, ui.px(6)});
   draw_deviation_band(ui, *state.insight);
+  plot = {};
+  plot.kind = workbench::PlotKind::kBand;
+  export_plot_button(ui, "Export deviations…", plot, requests);
 }
 
 void RolloutsPanel::show_brushed(const WorkbenchState& state, Requests& requests) const {
@@ -152,14 +164,21 @@ Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
   brush_.take(state.rollouts.brushed);
   if (page_ == 1) {
     axes_.draw(ui, state, brush_, requests);
+    workbench::PlotSettings plot;
+    plot.kind = workbench::PlotKind::kAxes;
+    plot.kept = brush_.ranges();
+    export_plot_button(ui, "Export axes…", plot, requests);
     table_.draw(ui, state, brush_, requests);
   }
   if (page_ == kPathsPage) {
     draw_ghosts(ui, state, requests);
     play_.draw(ui, state, requests);
     multiples_.draw(ui, state, brush_, requests);
+    workbench::PlotSettings plot = multiples_.plot();
+    plot.kept = brush_.ranges();
+    export_plot_button(ui, "Export pictures…", plot, requests);
   }
-  if (page_ == 3) draw_spread(ui, state);
+  if (page_ == 3) draw_spread(ui, state, requests);
   if (page_ == 4) runs_.draw(ui, state, requests);
   if (page_ == 5) draw_second_model(ui, state, requests);
   show_brushed(state, requests);

@@ -21,7 +21,7 @@ class RolloutsPanel final : public Panel {
 
  private:
   void draw_ghosts(Ui& ui, const WorkbenchState& state, Requests& requests);
-  void draw_spread(Ui& ui, const WorkbenchState& state);
+  void draw_spread(Ui& ui, const WorkbenchState& state, Requests& requests);
   /// Other ranges than those that are known are so everywhere, in the 3-D view too.
   void show_brushed(const WorkbenchState& state, Requests& requests) const;
   void draw_outcomes(Ui& ui, const WorkbenchState& state, Requests& requests);

@@ -81,6 +81,27 @@ TEST_CASE("a file of a field's numbers has neither paper nor colours, and one of
   CHECK(command_text(*field, desk.state).find(" --layer reward --out ") != std::string::npos);
 }
 
+TEST_CASE("the slice proposed is the panel's, and one that there is not is refused before the form closes") {
+  Desk desk(testing::made_state_with_model());
+  Driver driver = desk.driver();
+  CHECK(text_of(driver.click("Tabs/Fields")) == "");
+  CHECK(driver.frames(2));
+  CHECK(driver.key("Ctrl+Shift+E"));
+  CHECK(text_of(driver.click("Export field/What/One slice")) == "");
+  CHECK(text_of(driver.expect_value("Export field/Slice", "z=10")) == "");  // through the goal
+  CHECK(text_of(driver.type("Export field/Slice", "z=99")) == "");
+  CHECK(text_of(driver.type("Export field/File", "F.PNG")) == "");
+  CHECK(driver.frames(2));
+  CHECK(driver.item("Export field/Export").value().reason.find("z") != std::string::npos);
+  CHECK(text_of(driver.type("Export field/Slice", "y=3")) == "");
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.click("Export field/Export")) == "");
+  const auto* field = desk.last<workbench::ExportField>();
+  REQUIRE(field != nullptr);
+  CHECK(field->slice == "y=3");
+  CHECK(field->path == "F.PNG");
+}
+
 TEST_CASE("a Q-table is imported from an empty panel, and written as a command line") {
   const std::filesystem::path table =
       std::filesystem::temp_directory_path() / ("trocar_form_" + std::to_string(::getpid()) + ".npy");

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "tests/support/ui_desk.h"
@@ -215,18 +216,82 @@ TEST_CASE("arrivals end at the share that arrives at all, of both models if ther
   CHECK(both.ends_with("(" + std::to_string(b) + ")"));
 }
 
-TEST_CASE("each end has its box of worst deviations, told apart by model, with the spread of its rollouts") {
+TEST_CASE("each end has its box of a measure, told apart by model, with the spread of its rollouts") {
   PlayedDesk desk("Spread");
   const auto spread = learning::worst_deviations_m(desk.listed(), learning::RolloutEnd::kArrives);
-  CHECK(desk.value("Rollouts/Worst deviation/Arrives").starts_with(std::to_string(spread.count) + ": "));
-  CHECK_FALSE(desk.present("Rollouts/Worst deviation/Loops"));
+  CHECK(desk.value("Rollouts/Boxes/Arrives").starts_with(std::to_string(spread.count) + ": "));
+  CHECK_FALSE(desk.present("Rollouts/Boxes/Loops"));
   desk.state = beside_the_paper();
   desk.frames(3);
-  CHECK(desk.present("Rollouts/Worst deviation/A arrives"));
-  CHECK_FALSE(desk.present("Rollouts/Worst deviation/A loops"));
+  CHECK(desk.present("Rollouts/Boxes/A arrives"));
+  CHECK_FALSE(desk.present("Rollouts/Boxes/A loops"));
   const auto loops = learning::worst_deviations_m(*desk.state.insight->second->listed, learning::RolloutEnd::kLoops);
   REQUIRE(loops.count > 0);
-  CHECK(desk.value("Rollouts/Worst deviation/B loops").starts_with(std::to_string(loops.count) + ": "));
+  CHECK(desk.value("Rollouts/Boxes/B loops").starts_with(std::to_string(loops.count) + ": "));
+}
+
+TEST_CASE("boxes are of the measure that is chosen, and written as the figure that is shown") {
+  PlayedDesk desk("Spread");
+  desk.click("Rollouts/Boxes/Measure");
+  desk.click("Rollouts/Boxes/Measure/Steps");
+  std::vector<double> steps;
+  for (const learning::Rollout& rollout : desk.listed()) {
+    if (rollout.end == learning::RolloutEnd::kArrives) steps.push_back(static_cast<double>(rollout.cells.size()) - 1);
+  }
+  const learning::Spread spread = learning::spread_of(steps);
+  const std::string value = desk.value("Rollouts/Boxes/Arrives");
+  CHECK(value.find("to " + std::to_string(static_cast<int>(spread.most)) + ", middle") != std::string::npos);
+  desk.click("Rollouts/Export boxes…");
+  CHECK(text_of(desk.driver().click("Export figure/Kind of file/PDF")) == "");
+  CHECK(text_of(desk.driver().click("Export figure/Width/88 mm")) == "");
+  CHECK(text_of(desk.driver().type("Export figure/File", "steps.pdf")) == "");
+  desk.frames(2);
+  CHECK(text_of(desk.driver().click("Export figure/Copy as command")) == "");
+  CHECK(desk.window.clipboard() ==
+        "trocar rollout plot /data/pegs.trocar 3 --starts around:3 --kind boxes --measure steps --preset column --out "
+        "steps.pdf");
+  CHECK(text_of(desk.driver().click("Export figure/Export")) == "");
+  const auto* plot = desk.last<workbench::ExportPlot>();
+  REQUIRE(plot != nullptr);
+  CHECK(plot->settings.kind == workbench::PlotKind::kBoxes);
+  CHECK(plot->settings.measures == std::vector{learning::RolloutMeasure::kSteps});
+  CHECK(plot->settings.preset == "column");
+  CHECK(plot->path == "steps.pdf");
+}
+
+TEST_CASE("every page of rollouts opens the form on the figure that it shows") {
+  const std::vector<std::array<std::string, 3>> pages{{"Spread", "Export arrivals…", "arrivals"},
+                                                      {"Spread", "Export deviations…", "band"},
+                                                      {"Table", "Export axes…", "axes"},
+                                                      {"Paths", "Export pictures…", "multiples"},
+                                                      {"Outcomes", "Export map…", "map"}};
+  for (const auto& [page, label, kind] : pages) {
+    CAPTURE(label);
+    PlayedDesk desk(page);
+    desk.click("Rollouts/" + label);
+    CHECK(text_of(desk.driver().type("Export figure/File", "f.svg")) == "");
+    desk.frames(2);
+    CHECK(text_of(desk.driver().click("Export figure/Copy as command")) == "");
+    CHECK(desk.window.clipboard().find(" --kind " + kind) != std::string::npos);
+    CHECK(text_of(desk.driver().click("Export figure/Export")) == "");
+    const auto* plot = desk.last<workbench::ExportPlot>();
+    REQUIRE(plot != nullptr);
+    CHECK(workbench::to_string(plot->settings.kind) == kind);
+  }
+}
+
+TEST_CASE("what cannot be written is said in the form, which stays open") {
+  PlayedDesk desk("Spread");
+  desk.click("Rollouts/Export arrivals…");
+  const auto reason = [&desk](const std::string& file) {
+    CHECK(text_of(desk.driver().type("Export figure/File", file)) == "");
+    desk.frames(2);
+    return desk.driver().item("Export figure/Export").value().reason;
+  };
+  CHECK(reason("/no/such/folder/a.png") == "There is no folder /no/such/folder");
+  CHECK(reason("a.npy").find(".csv") != std::string::npos);
+  CHECK(reason("A.PNG").empty());
+  CHECK(reason("a.csv").empty());
 }
 
 TEST_CASE("what is brushed is so in the 3-D view, also while a play goes on, and comes back from there") {
