@@ -6,6 +6,7 @@
 #include "app/commands/rollout_commands.h"
 #include "app/lookup.h"
 #include "app/options.h"
+#include "engine/core/file.h"
 #include "engine/exchange/rollout_file.h"
 #include "engine/learning/rollout.h"
 #include "engine/learning/rollout_table.h"

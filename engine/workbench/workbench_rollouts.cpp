@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/core/file.h"
 #include "engine/exchange/rollout_file.h"
 #include "engine/learning/start_file.h"
 #include "engine/workbench/jobs/plot_job.h"
