@@ -126,8 +126,8 @@ void RolloutRuns::draw_physics(Ui& ui, const WorkbenchState& state, Requests& re
 }
 
 std::string RolloutRuns::no_rows(const WorkbenchState& state) const {
-  if (!file_.ends_with(".csv")) return "The name must end in .csv";
   const auto rows = static_cast<workbench::RolloutRows>(rows_);
+  if (rows == workbench::RolloutRows::kBand && !file_.ends_with(".csv")) return "A band's name must end in .csv";
   const auto of_others = [&state](const auto& found) {
     return found->entry != state.insight->entry || found->starts != state.rollouts.starts;
   };

@@ -86,11 +86,12 @@ void RolloutsPanel::draw_outcomes(Ui& ui, const WorkbenchState& state, Requests&
   const int k = around_of(state.rollouts);
   summary_block(ui, k > 0 ? fmt::format("Within ±{} cells", k) : std::string("Chosen starts"), insight.chosen);
   ImGui::Dummy({0.0F, ui.px(3)});
-  map_.draw(ui, state, requests);
+  // Above the map, over which the wheel goes through the slices.
   workbench::PlotSettings plot;
   plot.kind = workbench::PlotKind::kMap;
   plot.slice = map_.slice();
   export_plot_button(ui, "Export map…", plot, requests);
+  map_.draw(ui, state, requests);
   ImGui::Dummy({0.0F, ui.px(3)});
   around_table(ui, insight.around, k, requests, state.rollouts);
   ImGui::Dummy({0.0F, ui.px(3)});
