@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/suggestion.h"
+#include "engine/core/ending.h"
 #include "engine/store/project_store.h"
 
 namespace trocar::app {
@@ -90,8 +91,7 @@ Status check_output(const std::filesystem::path& out, const std::filesystem::pat
     return tl::unexpected(Error(ErrorCode::kInvalidArgument, std::move(why)).at(out.string()));
   };
   if (!project.empty() && store::is_part_of_project(out, project)) return refuse("that is the project itself");
-  std::string ending = out.extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+  const std::string ending = ending_of(out);
   if (ending == ".trocar") return refuse("a name that ends in .trocar is a project's");
   if (endings.size() == 0 || std::find(endings.begin(), endings.end(), ending) != endings.end()) return {};
   return refuse(fmt::format("the name must end in {}", fmt::join(endings, " or ")));

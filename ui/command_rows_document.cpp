@@ -115,7 +115,7 @@ Requests verify(const State& state) {
   return one(Command{VerifyReplay{state.demonstration}});
 }
 
-constexpr std::array<RowData, 8> kFileRows{{
+constexpr std::array<RowData, 9> kFileRows{{
     {"file.new",
      "File",
      "New project…",
@@ -179,6 +179,15 @@ constexpr std::array<RowData, 8> kFileRows{{
      false,
      no_model,
      act<UiAction::kShowExportField>},
+    {"file.export_plot",
+     "File",
+     "Export figure…",
+     "Draw rollouts, their measures or the learning curve into a file",
+     icon::kChart,
+     {},
+     false,
+     no_model,
+     act<UiAction::kShowExportPlot>},
     {"file.quit",
      "File",
      "Quit",

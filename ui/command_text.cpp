@@ -166,10 +166,41 @@ std::string rollout_rows_text(const ExportRollouts& command, const WorkbenchStat
     return physics_text(state.physics ? state.physics->options : trial::PhysicsOptions(), state, project) + path;
   }
   std::string text = rollouts_text("run", state, project);
+  if (command.rows == workbench::RolloutRows::kBand) return text + " --band " + path;
   if (command.rows == workbench::RolloutRows::kErring) {
     text += erring_text(state.monte_carlo ? state.monte_carlo->result.options : learning::MonteCarloOptions());
   }
   return text + " --out " + path;
+}
+
+std::string paper_text(const PlotSettings& settings) {
+  std::string text;
+  if (!settings.preset.empty()) text += " --preset " + settings.preset;
+  if (settings.dpi) text += fmt::format(" --dpi {:g}", *settings.dpi);
+  return text;
+}
+
+std::string plot_text(const ExportPlot& command, const WorkbenchState& state, const std::string& project) {
+  const PlotSettings& settings = command.settings;
+  const bool curve = settings.kind == PlotKind::kCurve;
+  std::string models = fmt::format("{}", state.model.value);
+  const bool second = curve ? state.learning.second != ModelId{} : state.insight && state.insight->second;
+  if (second) models += fmt::format(" {}", state.learning.second.value);
+  const std::string out = paper_text(settings) + " --out " + shell_word(command.path.string());
+  if (curve) return fmt::format("trocar model curve {} {}{}", project, models, out);
+  std::string text = fmt::format("trocar rollout plot {} {}", project, models);
+  if (settings.kind != PlotKind::kMap) text += " --starts " + shell_word(state.rollouts.starts);
+  text += fmt::format(" --kind {}", workbench::to_string(settings.kind));
+  for (std::size_t i = 0; i < settings.measures.size(); ++i) {
+    text += fmt::format("{}{}", i == 0 ? " --measure " : ",", learning::words_of(settings.measures[i]).word);
+  }
+  for (const learning::RolloutRange& range : settings.kept) text += " --keep " + workbench::kept_text(range);
+  if (settings.kind == PlotKind::kMultiples) {
+    text += fmt::format(" --sort {}{} --columns {}", learning::words_of(settings.by).word,
+                        settings.descending ? "" : " --ascending", settings.columns);
+  }
+  if (settings.kind == PlotKind::kMap && !settings.slice.empty()) text += " --slice " + settings.slice;
+  return text + out;
 }
 
 std::string field_text(const ExportField& command, const std::string& project) {
@@ -259,6 +290,7 @@ std::string also_text(const workbench::FieldSettings& field) {
   if (field.voxels) text += fmt::format(",voxels={:.6g}", field.voxel_threshold);
   if (field.iso_surface) text += fmt::format(",iso={:.6g}", field.iso_level);
   if (field.volume) text += ",volume";
+  if (field.volume && field.opacity_curve) text += "=" + plot::to_string(*field.opacity_curve);
   for (std::size_t i = 0; i < field.slices.size(); ++i) {
     if (field.slices[i] >= 0) text += fmt::format(",{}={}", "xyz"[i], field.slices[i]);
   }
@@ -295,6 +327,7 @@ std::string view_text(const workbench::FieldSettings& field, const WorkbenchStat
   if (field.voxels) text += fmt::format(" --voxels {:.6g}", field.voxel_threshold);
   if (field.iso_surface) text += fmt::format(" --iso {:.6g}", field.iso_level);
   if (field.volume) text += " --volume";
+  if (field.volume && field.opacity_curve) text += " --opacity-curve " + plot::to_string(*field.opacity_curve);
   if (field.glyphs != workbench::Glyphs::kNone) text += fmt::format(" --glyphs {}", to_string(field.glyphs));
   if (field.streamlines) text += " --streamlines " + shell_word(field.streamline_starts);
   return text + fmt::format(" --opacity {:.6g} --out F.png", field.opacity);
@@ -442,6 +475,7 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
     return view_text(state.field, next, project);
   }
   if (const auto* rows = std::get_if<ExportRollouts>(&command)) return rollout_rows_text(*rows, state, project);
+  if (const auto* plot = std::get_if<ExportPlot>(&command)) return plot_text(*plot, state, project);
   if (const auto* erring = std::get_if<RunMonteCarlo>(&command)) {
     return rollouts_text("run", state, project) + erring_text(erring->options);
   }

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "engine/spatial/units.h"
+#include "engine/statistics/proportion.h"
 
 namespace trocar::ui {
 
@@ -53,7 +54,7 @@ std::string percent(std::int64_t part, std::int64_t whole) {
   const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
   // What is not all is not called 100 %.
   const bool plain = (share >= 10.0 && share < 99.5) || share == std::floor(share);
-  return fmt::format("{:.{}f} %", share, plain ? 0 : 1);
+  return statistics::percent_text(part, whole, plain ? 0 : 1);
 }
 
 std::string number(double value) {

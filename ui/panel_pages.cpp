@@ -42,15 +42,19 @@ constexpr PanelPage kFields{
       {"One slice alone", "X, Y, Z"},
       {"Probe a cell", "Click it"},
       {"Pin a cell", "Shift+click it"},
+      {"Shape what a cloud hides", "Drag a knot of its curve; double-click: a new one, or this one away"},
       {"Copy cells as CSV", "Ctrl+C"}}}};
 constexpr PanelPage kRollouts{
     "What the agent does from every start",
     "How many starts arrive, loop or end nowhere: all cells, those near the expert's start, or cells that are painted. "
     "One rollout is picked out by the map, the table or the small pictures; if it fails, it is said why, and a "
     "demonstration that puts it right can be begun there. The agent can err at random, and be driven through the "
-    "simulator.",
+    "simulator. All play together: by steps, or by the share of their ways, which plays their segment from 0 to 100 %. "
+    "Each page can be written as a figure, and all rollouts as a table.",
     {"view.ghosts", "model.train"},
-    {{{"Select a start", "Click it in the map, the table or the pictures"},
+    {{{"Select a start", "Click it in the map, the table or the pictures, or its line across the measures"},
+      {"Keep a range of a measure", "Drag along its axis; a click lets go"},
+      {"Play all rollouts, on the page Paths", "Space, the pointer over the panel"},
       {"Paint starts", "Drag over the map; Erase takes them away"},
       {"Step through the map", "Wheel over it"}}}};
 constexpr PanelPage kTrain{

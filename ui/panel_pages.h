@@ -21,7 +21,7 @@ struct PanelPage {
   std::string_view more;     ///< How it is used, some sentences.
   /// Of its commands; one that ends in a dot stands for all that begin so.
   std::array<std::string_view, 6> commands;
-  std::array<MouseHelp, 6> mouse;
+  std::array<MouseHelp, 7> mouse;
 };
 
 const PanelPage& page_of(PanelId panel);

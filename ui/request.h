@@ -23,6 +23,7 @@ enum class UiAction {
   kShowExportDemonstrations,
   kShowExportVideo,
   kShowExportField,
+  kShowExportPlot,
   kShowImportTable,
   kShowPalette,
   kShowShortcuts,
@@ -74,13 +75,17 @@ struct BeginEdit {
   demonstration::Edit edit;
   int copies = 0;  ///< Not 0: so many copies get it, and the demonstration stays as it is.
 };
+/// Opens the form that writes a figure, at what a panel shows.
+struct ShowPlotForm {
+  workbench::PlotSettings settings;
+};
 /// Puts words on the clipboard.
 struct CopyText {
   std::string text;
 };
 
 using Request = std::variant<workbench::Command, UiAction, ShowPanel, ShowWorkspace, ChooseKeys, MovePanel, Arrange,
-                             KeepLayouts, BeginEdit, CopyText>;
+                             KeepLayouts, BeginEdit, ShowPlotForm, CopyText>;
 using Requests = std::vector<Request>;
 
 }  // namespace trocar::ui

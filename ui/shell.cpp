@@ -8,7 +8,6 @@
 #include "ui/command_table.h"
 #include "ui/command_text.h"
 #include "ui/panels/common.h"
-#include "ui/panels/fields_panel.h"
 
 namespace trocar::ui {
 namespace {
@@ -109,7 +108,7 @@ Requests Shell::draw_host(Ui& ui, const WorkbenchState& state, double frames_hz)
 
 Requests Shell::draw_forms(Ui& ui, const WorkbenchState& state) {
   Requests requests;
-  for (Form* form : std::initializer_list<Form*>{&record_, &file_, &import_, &demonstrations_, &video_, &field_,
+  for (Form* form : std::initializer_list<Form*>{&record_, &file_, &import_, &demonstrations_, &video_, &field_, &plot_,
                                                  &table_, &shortcuts_, &page_, &keys_, &layouts_, &about_, &quit_}) {
     append(requests, form->draw(ui, state));
   }
@@ -119,8 +118,8 @@ Requests Shell::draw_forms(Ui& ui, const WorkbenchState& state) {
 
 bool Shell::form_open() const {
   return record_.is_open() || file_.is_open() || import_.is_open() || demonstrations_.is_open() || video_.is_open() ||
-         field_.is_open() || table_.is_open() || shortcuts_.is_open() || page_.is_open() || keys_.is_open() ||
-         layouts_.is_open() || about_.is_open() || quit_.is_open() || palette_.is_open();
+         field_.is_open() || plot_.is_open() || table_.is_open() || shortcuts_.is_open() || page_.is_open() ||
+         keys_.is_open() || layouts_.is_open() || about_.is_open() || quit_.is_open() || palette_.is_open();
 }
 
 Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
@@ -131,7 +130,7 @@ Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
     // Stop is there whatever has the keyboard.
     if (chord.key == Key::kEscape && state.trials && state.live && pressed(ui.input(), chord)) return true;
     if (!pressed(ui.input(), chord) || TakeKeys::claims(chord, state)) return false;
-    if (tiles_.current(ui) == PanelId::kFields && FieldsPanel::claims(chord, state)) return false;
+    if (tiles_.panel(tiles_.current(ui)).claims(ui, chord, state)) return false;
     // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.
     const bool plain = !chord.modifiers.control && !chord.modifiers.alt;
     if ((typing || form_open()) && (plain || typing)) return false;
@@ -172,7 +171,14 @@ bool Shell::open_form(UiAction action, const Ui& ui) {
   };
   if (action == UiAction::kShowRecord) return opened(record_);
   if (action == UiAction::kShowExportVideo) return opened(video_);
-  if (action == UiAction::kShowExportField) return opened(field_);
+  if (action == UiAction::kShowExportField) {
+    field_.open_on(tiles_.panel(PanelId::kFields).shown_slice());
+    return true;
+  }
+  if (action == UiAction::kShowExportPlot) {
+    plot_.open_on({});
+    return true;
+  }
   if (action == UiAction::kShowImportTable) return opened(table_);
   if (action == UiAction::kShowShortcuts) return opened(shortcuts_);
   if (action == UiAction::kShowAbout) return opened(about_);
@@ -269,6 +275,8 @@ void Shell::resolve(const Requests& requests, const Ui& ui, const WorkbenchState
     } else if (const auto* begin = std::get_if<BeginEdit>(&request)) {
       show_panel(PanelId::kEdits);
       tiles_.panel(PanelId::kEdits).begin_edit(*begin, state);
+    } else if (const auto* plot = std::get_if<ShowPlotForm>(&request)) {
+      plot_.open_on(plot->settings);
     } else if (const auto* copy = std::get_if<CopyText>(&request)) {
       result.clipboard = copy->text;
     }

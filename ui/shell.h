@@ -17,6 +17,7 @@
 #include "ui/forms/import_form.h"
 #include "ui/forms/keys_form.h"
 #include "ui/forms/layouts_form.h"
+#include "ui/forms/plot_form.h"
 #include "ui/forms/quit_form.h"
 #include "ui/forms/record_form.h"
 #include "ui/forms/table_form.h"
@@ -77,6 +78,7 @@ class Shell {
   DemonstrationsForm demonstrations_;
   VideoForm video_;
   FieldForm field_;
+  PlotForm plot_;
   TableForm table_;
   ShortcutForm shortcuts_;
   PageForm page_;

@@ -27,6 +27,7 @@ class TileArea {
   /// before it.
   void favour(PanelId panel);
   Panel& panel(PanelId which) { return *panels_[static_cast<std::size_t>(which)]; }
+  const Panel& panel(PanelId which) const { return *panels_[static_cast<std::size_t>(which)]; }
 
   /// The panel that the keyboard is in, else that under the pointer, else the last one.
   PanelId current(const Ui& ui) const;

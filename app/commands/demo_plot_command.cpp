@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/commands/curve_file.h"
 #include "app/commands/demo_commands.h"
 #include "app/commands/print_arguments.h"
 #include "engine/figure/curve_figure.h"
 #include "engine/workbench/curves.h"
+#include "engine/workbench/jobs/plot_job.h"
 
 namespace trocar::app {
 namespace {
@@ -18,13 +18,10 @@ struct PlotArguments {
   std::string project;
   std::string demonstration;
   std::vector<std::string> curves{"speed", "jerk"};
-  std::string out;
   std::string arm = "both";
   double from_s = -1.0;
   double to_s = -1.0;
-  int width = 1000;
-  std::string preset;
-  double dpi = 0.0;
+  PrintArguments print;
 };
 
 void bind_plot(CLI::App& verb, PlotArguments& arguments) {
@@ -39,12 +36,7 @@ void bind_plot(CLI::App& verb, PlotArguments& arguments) {
       ->capture_default_str();
   verb.add_option("--from", arguments.from_s, "Begin in seconds (else the begin gate)")->check(CLI::NonNegativeNumber);
   verb.add_option("--to", arguments.to_s, "End in seconds (else the end gate)")->check(CLI::NonNegativeNumber);
-  verb.add_option("--width", arguments.width, "Of the figure, in pixels")
-      ->check(CLI::Range(480, 8000))
-      ->capture_default_str();
-  verb.add_option("--preset", arguments.preset, kPresetHelp)->excludes("--width");
-  verb.add_option("--dpi", arguments.dpi, kDpiHelp)->check(CLI::Range(kLeastDpi, kMostDpi));
-  verb.add_option("--out", arguments.out, "F.png, F.svg, F.pdf, or F.csv for the numbers")->required();
+  bind_print(verb, arguments.print, "F.png, F.svg, F.pdf, or F.csv for the numbers");
 }
 
 Result<figure::CurveFigure> figure_of(const PlotArguments& arguments, const demonstration::Demonstration& shown) {
@@ -52,11 +44,8 @@ Result<figure::CurveFigure> figure_of(const PlotArguments& arguments, const demo
   made.title = shown.name;
   made.begin_s = arguments.from_s >= 0.0 ? arguments.from_s : shown.begin_s;
   made.end_s = arguments.to_s >= 0.0 ? arguments.to_s : shown.end_s;
-  made.width_px = arguments.width;
-  if (!arguments.preset.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(made.print, figure::print_from(arguments.preset));
-    if (arguments.dpi > 0.0) made.print->dpi = arguments.dpi;
-  }
+  made.width_px = arguments.print.width;
+  TROCAR_ASSIGN_OR_RETURN(made.print, print_of(arguments.print));
   if (!(made.begin_s < made.end_s)) {
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("from {:.3f} to {:.3f} s there is nothing to plot", made.begin_s, made.end_s));
@@ -94,22 +83,22 @@ Json ranges_of(const figure::CurveFigure& made) {
 }
 
 Result<Answer> run_plot(const PlotArguments& arguments, Console& console) {
-  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png", ".svg", ".pdf", ".csv"}));
-  TROCAR_RETURN_IF_ERROR(check_dpi(arguments.dpi, arguments.out));
+  const std::filesystem::path out = arguments.print.out;
+  TROCAR_RETURN_IF_ERROR(check_output(out, arguments.project, {".png", ".svg", ".pdf", ".csv"}));
+  TROCAR_RETURN_IF_ERROR(check_dpi(arguments.print.dpi, out));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           open_to_read(arguments.project, console, Models::kDescribed));
   TROCAR_ASSIGN_OR_RETURN(const auto shown, find_demonstration(*file.project(), arguments.demonstration));
   TROCAR_ASSIGN_OR_RETURN(const figure::CurveFigure made, figure_of(arguments, *shown));
-  const std::filesystem::path out = arguments.out;
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
-  TROCAR_RETURN_IF_ERROR(write_curves(made, out, arguments.dpi));
+  TROCAR_RETURN_IF_ERROR(workbench::write_curves(made, out, arguments.print.said_dpi()));
   std::error_code ignored;
   Answer answer;
-  answer.json = {{"id", shown->id.value},     {"out", arguments.out},
+  answer.json = {{"id", shown->id.value},     {"out", arguments.print.out},
                  {"begin_s", made.begin_s},   {"end_s", made.end_s},
                  {"curves", ranges_of(made)}, {"size_bytes", std::filesystem::file_size(out, ignored)}};
   answer.summary = fmt::format("{} of {}", counted(made.plots.size(), "plot"), shown->name);
-  answer.text = fmt::format("Wrote {}: {}", arguments.out, answer.summary);
+  answer.text = fmt::format("Wrote {}: {}", arguments.print.out, answer.summary);
   return answer;
 }
 

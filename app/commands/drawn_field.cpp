@@ -32,7 +32,7 @@ std::optional<double> number_of(const std::string& text) {
   return value;
 }
 
-/// "voxels=0.6" into the settings. False for a word that is none.
+/// "voxels=0.6" into the settings. False for a word that is none. Errors: kInvalidArgument for a value out of range.
 Result<bool> take_word(const std::string& word, workbench::FieldSettings& settings) {
   const std::size_t equals = word.find('=');
   const std::string key = word.substr(0, equals);
@@ -49,6 +49,11 @@ Result<bool> take_word(const std::string& word, workbench::FieldSettings& settin
     TROCAR_ASSIGN_OR_RETURN(settings.map, plot::colour_map_from(value));
     return true;
   }
+  if (key == "volume" && equals != std::string::npos) {
+    settings.volume = true;
+    TROCAR_ASSIGN_OR_RETURN(settings.opacity_curve, plot::opacity_curve_from(value));
+    return true;
+  }
   if (word == "volume") {
     settings.volume = true;
     return true;
@@ -57,9 +62,14 @@ Result<bool> take_word(const std::string& word, workbench::FieldSettings& settin
   if (!number) return false;
   if (key == "x" || key == "y" || key == "z") {
     settings.slices[static_cast<std::size_t>(key[0] - 'x')] = static_cast<int>(*number);
-    return *number == std::floor(*number) && *number >= 0.0 && *number < 1000.0;
+    if (*number == std::floor(*number) && *number >= 0.0 && *number < 1000.0) return true;
+    return fail(ErrorCode::kInvalidArgument, fmt::format("--also takes a cell's index after {}=, not {}", key, value));
   }
-  if (*number < 0.0 || *number > 1.0) return false;
+  const bool is_share = key == "voxels" || key == "iso" || key == "opacity";
+  if (is_share && !(*number >= 0.0 && *number <= 1.0)) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("--also takes a share of 0 to 1 after {}=, not {}", key, value));
+  }
   if (key == "voxels") {
     settings.voxels = true;
     settings.voxel_threshold = *number;
@@ -93,7 +103,11 @@ void bind_field(CLI::App& verb, FieldArguments& arguments, CLI::Option* model) {
   verb.add_option("--iso", arguments.iso, "Draw the surface at this share of the scale, 0 to 1")
       ->check(share)
       ->needs(model);
-  verb.add_flag("--volume", arguments.volume, "Draw the field as a cloud")->needs(model);
+  CLI::Option* volume = verb.add_flag("--volume", arguments.volume, "Draw the field as a cloud")->needs(model);
+  verb.add_option("--opacity-curve", arguments.opacity_curve,
+                  "What the cloud hides by place on the scale: ramp, highest, lowest, uniform, or knots, place and "
+                  "height from 0 to 1, such as 0:0/0.6:0.1/1:1 (else clear where most values lie)")
+      ->needs(volume);
   verb.add_option("--glyphs", arguments.glyphs, "On the slices: none, best (action) or stars (of Q)")
       ->check(CLI::IsMember({"none", "best", "stars"}))
       ->capture_default_str()
@@ -160,6 +174,9 @@ Result<workbench::FieldSettings> settings_from(const FieldArguments& arguments, 
   settings.iso_surface = arguments.iso.has_value();
   settings.iso_level = arguments.iso.value_or(settings.iso_level);
   settings.volume = arguments.volume;
+  if (!arguments.opacity_curve.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(settings.opacity_curve, plot::opacity_curve_from(arguments.opacity_curve));
+  }
   settings.opacity = arguments.opacity;
   settings.streamlines = !arguments.streamlines.empty();
   if (settings.streamlines) settings.streamline_starts = arguments.streamlines;
@@ -196,7 +213,7 @@ Result<workbench::FieldSettings> also_from(const std::string& text) {
     if (known) continue;
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("--also does not know \"{}\"; after the layer come mask=, scale=, map=, voxels=SHARE, "
-                            "iso=SHARE, volume, opacity=SHARE, x=I, y=J or z=K",
+                            "iso=SHARE, volume, volume=CURVE, opacity=SHARE, x=I, y=J or z=K",
                             words[i]));
   }
   return settings;

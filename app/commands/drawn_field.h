@@ -20,6 +20,7 @@ struct FieldArguments {
   std::optional<double> voxels;
   std::optional<double> iso;
   bool volume = false;
+  std::string opacity_curve;  ///< Empty: fitted to the field.
   std::string glyphs = "none";
   std::string streamlines;
   bool no_slices = false;

@@ -12,6 +12,7 @@
 #include "engine/exchange/lattice_table.h"
 #include "engine/learning/comparison_csv.h"
 #include "engine/learning/model_comparison.h"
+#include "engine/statistics/proportion.h"
 #include "engine/workbench/jobs/train_job.h"
 
 namespace trocar::app {
@@ -334,9 +335,9 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
   }
   answer.summary = fmt::format("fully explored {}, fully unexplored {}, policy differs in {} cells",
                                percent("fully_explored"), percent("fully_unexplored"), changed);
-  answer.text =
-      fmt::format("{} against {}: {} ({:.1f} %), arrives from {} cells against {}", entry_b->name, entry_a->name,
-                  answer.summary, changed_percent, compared.b.all.arrived, compared.a.all.arrived);
+  answer.text = fmt::format("{} against {}: {} ({}), arrives from {} cells against {}", entry_b->name, entry_a->name,
+                            answer.summary, statistics::share_text(0.01 * changed_percent, 1), compared.b.all.arrived,
+                            compared.a.all.arrived);
   return answer;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/figure/field_figure.h"
 #include "engine/learning/learning_history.h"
 #include "engine/learning/seed_study.h"
+#include "engine/statistics/proportion.h"
 #include "engine/workbench/jobs/field_job.h"
 #include "engine/workbench/jobs/train_job.h"
 
@@ -118,8 +119,8 @@ Result<Answer> run_seeds(const StudyArguments& arguments, Console& console) {
   answer.json["near_least"] = least;
   answer.json["near_most"] = most;
   if (!arguments.out.empty()) TROCAR_RETURN_IF_ERROR(write_file(arguments.out, csv_of(answer.json["seeds"])));
-  answer.summary = fmt::format("{} seeds: within ±3 cells {:.0f} to {:.0f} % arrive", result.seeds.size(),
-                               100.0 * least, 100.0 * most);
+  answer.summary = fmt::format("{} seeds: within ±3 cells {} to {} arrive", result.seeds.size(),
+                               statistics::share_text(least, 0), statistics::share_text(most, 0));
   answer.text = answer.summary;
   return answer;
 }

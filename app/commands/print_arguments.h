@@ -1,9 +1,13 @@
 /// What every command that writes a figure says of paper.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "engine/core/result.h"
+#include "engine/figure/print.h"
 
 namespace trocar::app {
 
@@ -16,5 +20,20 @@ constexpr double kMostDpi = 2400.0;
 
 /// Errors: kInvalidArgument for a resolution (other than 0: none) of what is no picture.
 Status check_dpi(double dpi, const std::filesystem::path& out);
+
+/// Width, paper and file of a plot: --width, --preset, --dpi and --out.
+struct PrintArguments {
+  int width = 1000;
+  std::string preset;
+  double dpi = 0.0;  ///< 0: not said.
+  std::string out;
+
+  /// What a picture says of itself, if that was asked for.
+  std::optional<double> said_dpi() const { return dpi > 0.0 ? std::optional(dpi) : std::nullopt; }
+};
+/// `files` is the help of --out.
+void bind_print(CLI::App& verb, PrintArguments& arguments, const std::string& files);
+/// Nothing for a screen. Errors: kInvalidArgument for an unknown preset.
+Result<std::optional<figure::Print>> print_of(const PrintArguments& arguments);
 
 }  // namespace trocar::app

@@ -7,6 +7,7 @@
 #include "app/lookup.h"
 #include "app/options.h"
 #include "engine/core/file.h"
+#include "engine/exchange/rollout_file.h"
 #include "engine/learning/rollout.h"
 #include "engine/learning/rollout_table.h"
 #include "engine/learning/start_file.h"
@@ -22,16 +23,24 @@ struct RunArguments {
   std::string model;
   std::string starts;
   std::string out;
+  std::string band;
   bool spread = false;
   double epsilon = -1.0;  ///< < 0: the agent does not err.
   learning::MonteCarloOptions erring;
 };
 
+std::string starts_of(const RunArguments& arguments) {
+  return arguments.starts.empty() ? "around:3" : arguments.starts;
+}
+
 void bind_run(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("MODEL", arguments.model, "Id or name")->required();
   verb.add_option("--starts", arguments.starts, starts_help() + "; else around:3, and ±1 … ±5 beside it");
-  verb.add_option("--out", arguments.out, "F.csv: also write one row for each rollout");
+  verb.add_option("--out", arguments.out, "F.csv, F.json or F.h5 (HDF5): also write one row for each rollout");
+  verb.add_option("--band", arguments.band,
+                  "F.csv: also write how far the rollouts are from the expert, step by step: how many still go on, and "
+                  "5, 25, 50, 75 and 95 % of these");
   verb.add_flag("--spread", arguments.spread,
                 "Also say how many have arrived by which step, and how far rollouts stray, by their end");
   verb.add_option("--epsilon", arguments.epsilon,
@@ -47,31 +56,50 @@ void bind_run(CLI::App& verb, RunArguments& arguments) {
 }
 
 Json json_of(const learning::RolloutSummary& summary) {
-  return {{"count", summary.count},
-          {"arrived", summary.arrived},
-          {"looped", summary.looped},
-          {"dead_end", summary.dead_end},
-          {"from_above", summary.from_above}};
-}
-
-double percent(int part, int whole) {
-  return whole == 0 ? 0.0 : 100.0 * part / whole;
+  return {{"count", summary.count},       {"arrived", summary.arrived}, {"looped", summary.looped},
+          {"dead_end", summary.dead_end}, {"outside", summary.outside}, {"from_above", summary.from_above}};
 }
 
 /// Only A ends on a block that is to be taken from above; C ends sideways, at the hand-off.
 std::string line_of(const learning::RolloutSummary& summary, demonstration::Segment segment) {
-  std::string line = fmt::format("{} of {} arrive ({:.1f} %)", summary.arrived, summary.count,
-                                 percent(summary.arrived, summary.count));
+  std::string line = fmt::format("{} of {} arrive ({})", summary.arrived, summary.count,
+                                 statistics::percent_text(summary.arrived, summary.count, 1));
   if (segment == demonstration::Segment::kA) {
-    line += fmt::format(", {:.1f} % of them from above", percent(summary.from_above, summary.arrived));
+    line += fmt::format(", {} of them from above", statistics::percent_text(summary.from_above, summary.arrived, 1));
   }
   return line;
+}
+
+/// After how many steps so many have arrived: a tenth, a quarter, half, three quarters, nine tenths of the starts, as
+/// far as it comes to that, and all that arrive.
+std::string arrivals_text(const std::vector<int>& arrivals, std::size_t starts) {
+  std::string text = "\n  arrived by step:";
+  if (arrivals.back() == 0) return text + " none";
+  const auto add = [&text, &arrivals, starts](std::size_t step) {
+    text += fmt::format(" {} ({}) within {},", arrivals[step],
+                        statistics::percent_text(arrivals[step], static_cast<std::int64_t>(starts), 1), step);
+  };
+  std::size_t told = arrivals.size();
+  for (const double share : {0.1, 0.25, 0.5, 0.75, 0.9}) {
+    const auto reached = std::find_if(arrivals.begin(), arrivals.end(), [share, starts](int arrived) {
+      return static_cast<double>(arrived) >= share * static_cast<double>(starts);
+    });
+    const auto step = static_cast<std::size_t>(reached - arrivals.begin());
+    if (step + 1 >= arrivals.size() || step == told) continue;
+    told = step;
+    add(step);
+  }
+  add(arrivals.size() - 1);
+  text.back() = ' ';
+  return text + "steps";
 }
 
 /// By when the starts have arrived, and where the worst deviations lie, by end; millimetres.
 void tell_spread(const learning::Model& model, const std::vector<std::uint8_t>& policy, const learning::Basin& basin,
                  const std::vector<spatial::CellIndex>& starts, Answer& answer) {
-  answer.json["arrivals_by_step"] = learning::arrivals_by_step(basin, starts);
+  const std::vector<int> arrivals = learning::arrivals_by_step(basin, starts);
+  answer.json["arrivals_by_step"] = arrivals;
+  answer.text += arrivals_text(arrivals, starts.size());
   std::vector<learning::Rollout> rollouts;
   rollouts.reserve(starts.size());
   for (const spatial::CellIndex start : starts) rollouts.push_back(learning::rollout(model, policy, start));
@@ -95,9 +123,10 @@ void tell_erring(const workbench::MonteCarloView& found, Answer& answer) {
   const double share = found.runs == 0 ? 0.0 : static_cast<double>(found.arrived) / static_cast<double>(found.runs);
   answer.json["monte_carlo"] = {{"runs", found.runs}, {"starts", found.result.finished}, {"arrived", found.arrived},
                                 {"share", share},     {"low", found.interval.low},       {"high", found.interval.high}};
-  answer.text += fmt::format("\n  with ε = {:g}: {} of {} arrive ({:.2f} %, 95 % interval {:.2f} to {:.2f} %)",
-                             found.result.options.epsilon, found.arrived, found.runs, 100.0 * share,
-                             100.0 * found.interval.low, 100.0 * found.interval.high);
+  answer.text +=
+      fmt::format("\n  with ε = {:g}: {} of {} arrive ({}, 95 % interval {} to {})", found.result.options.epsilon,
+                  found.arrived, found.runs, statistics::share_text(share, 2),
+                  statistics::share_text(found.interval.low, 2), statistics::share_text(found.interval.high, 2));
 }
 
 Result<std::optional<learning::MonteCarlo>> err_at_random(const RunArguments& arguments, const learning::Model& model,
@@ -112,12 +141,13 @@ Result<std::optional<learning::MonteCarlo>> err_at_random(const RunArguments& ar
 }
 
 Result<Answer> run_run(const RunArguments& arguments, Console& console) {
-  if (!arguments.out.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".csv"}));
+  if (!arguments.out.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, kRowEndings));
+  if (!arguments.band.empty()) TROCAR_RETURN_IF_ERROR(check_output(arguments.band, arguments.project, {".csv"}));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   const learning::Model& model = *entry->model;
   TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts,
-                          learning::read_starts(arguments.starts.empty() ? "around:3" : arguments.starts, model));
+                          learning::read_starts(starts_of(arguments), model));
   warn_if_stale(*file.project(), *entry, console);
 
   const double begin_s = console.clock->now_s();
@@ -130,7 +160,12 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   if (!arguments.out.empty()) {
     TROCAR_ASSIGN_OR_RETURN(const std::string csv,
                             workbench::rollout_rows(model, starts, erring ? &*erring : nullptr, console.progress()));
-    TROCAR_RETURN_IF_ERROR(write_file(arguments.out, csv));
+    TROCAR_RETURN_IF_ERROR(
+        exchange::write_rollout_rows(csv, workbench::about_rollouts(*entry, starts_of(arguments)), arguments.out));
+  }
+  if (!arguments.band.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(const std::string csv, workbench::band_rows(model, starts));
+    TROCAR_RETURN_IF_ERROR(write_file(arguments.band, csv));
   }
 
   Answer answer;
@@ -202,7 +237,7 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
 }  // namespace
 
 std::string starts_help() {
-  return std::string(learning::start_set_help()) + ", or file:F.csv (columns i,j,k)";
+  return std::string(learning::start_set_help());
 }
 
 void add_rollout_commands(CLI::App& root, Action& chosen) {
@@ -211,6 +246,7 @@ void add_rollout_commands(CLI::App& root, Action& chosen) {
   add_verb<CompareArguments>(noun, chosen, "compare", "Compare two models over the same starts", bind_compare,
                              run_compare);
   add_rollout_look_commands(noun, chosen);
+  add_rollout_plot_command(noun, chosen);
   add_rollout_physics_command(noun, chosen);
 }
 

@@ -1,7 +1,9 @@
 /// The verbs of `trocar rollout`, in groups.
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "app/options.h"
 #include "engine/core/result.h"
@@ -11,6 +13,10 @@ namespace trocar::app {
 
 void add_rollout_look_commands(CLI::App& noun, Action& chosen);  ///< why, diverge
 void add_rollout_physics_command(CLI::App& noun, Action& chosen);
+void add_rollout_plot_command(CLI::App& noun, Action& chosen);
+
+/// What rows of rollouts are written as.
+inline const std::initializer_list<std::string_view> kRowEndings{".csv", ".json", ".h5", ".hdf5"};
 
 /// What `--starts` takes.
 std::string starts_help();

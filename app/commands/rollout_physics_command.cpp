@@ -5,7 +5,9 @@
 
 #include "app/commands/rollout_commands.h"
 #include "app/lookup.h"
+#include "engine/core/ending.h"
 #include "engine/core/file.h"
+#include "engine/exchange/rollout_file.h"
 #include "engine/learning/start_file.h"
 #include "engine/trial/physics_rollout.h"
 #include "engine/workbench/rolling.h"
@@ -26,9 +28,10 @@ void bind_physics(CLI::App& verb, PhysicsArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("MODEL", arguments.model, "Id or name")->required();
   verb.add_option("--starts", arguments.starts, starts_help())->capture_default_str();
-  verb.add_option("--out", arguments.out, "F.csv: one row for each rollout; what was finished, if it is stopped")
+  verb.add_option("--out", arguments.out,
+                  "F.csv, F.json or F.h5 (HDF5): one row for each rollout; what was finished, if it is stopped")
       ->required();
-  verb.add_flag("--resume", arguments.resume, "Go on from what F.csv holds");
+  verb.add_flag("--resume", arguments.resume, "Go on from what F.csv holds; no other file");
   verb.add_flag("--continuous", arguments.options.continuous, "Start anywhere in the cell, not in its middle");
   add_seed(verb, arguments.options.seed, "Seed of the blocks' yaw, and of the place in the cell");
   verb.add_option("--time-limit", arguments.options.time_limit_s, "Seconds of simulated time for each")
@@ -53,7 +56,10 @@ Result<trial::PhysicsRollouts> kept_rollouts(const PhysicsArguments& arguments, 
 
 Result<Answer> run_physics_command(const PhysicsArguments& typed, Console& console) {
   PhysicsArguments arguments = typed;
-  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".csv"}));
+  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, kRowEndings));
+  if (arguments.resume && ending_of(arguments.out) != ".csv") {
+    return tl::unexpected(Error(ErrorCode::kInvalidArgument, "--resume goes on from a .csv only").at(arguments.out));
+  }
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   arguments.options = workbench::physics_options_of(*file.project(), *entry, arguments.options);
@@ -65,7 +71,9 @@ Result<Answer> run_physics_command(const PhysicsArguments& typed, Console& conso
   const double begin_s = console.clock->now_s();
   TROCAR_RETURN_IF_ERROR(trial::run_physics(model, starts, arguments.options, rollouts, console.progress()));
   const double seconds = console.clock->now_s() - begin_s;
-  TROCAR_RETURN_IF_ERROR(write_file(arguments.out, trial::physics_csv(model, starts, arguments.options, rollouts)));
+  TROCAR_RETURN_IF_ERROR(exchange::write_rollout_rows(trial::physics_csv(model, starts, arguments.options, rollouts),
+                                                      workbench::about_rollouts(*entry, arguments.starts),
+                                                      arguments.out));
   const int finished = trial::finished(rollouts);
   if (static_cast<std::size_t>(finished) < starts.size()) {
     return fail(ErrorCode::kCancelled, fmt::format("stopped after {} of {} rollouts, which are kept; --resume goes on",

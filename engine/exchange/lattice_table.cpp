@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 
+#include "engine/core/ending.h"
 #include "engine/core/file.h"
 #include "engine/exchange/npy.h"
 #include "engine/exchange/number_table.h"
@@ -179,7 +180,7 @@ tl::unexpected<Error> wrong_ending() {
 }
 
 Result<std::vector<double>> read_ending(const std::filesystem::path& path, TableKind kind, const spatial::Grid& grid) {
-  const std::string extension = path.extension().string();
+  const std::string extension = ending_of(path);
   if (extension != ".npy" && extension != ".csv") return wrong_ending();
   TROCAR_ASSIGN_OR_RETURN(const std::string bytes, read_file(path));
   return extension == ".npy" ? parse_table_npy(bytes, kind, grid) : parse_table_csv(bytes, kind, grid);
@@ -222,7 +223,7 @@ Result<std::vector<double>> read_table(const std::filesystem::path& path, TableK
 
 Status write_table(const std::vector<double>& table, TableKind kind, const spatial::Grid& grid,
                    const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = ending_of(path);
   if (extension == ".csv") return write_file(path, table_csv(table, kind, grid));
   if (extension != ".npy") return tl::unexpected(Error(wrong_ending().value()).at(path.string()));
   const auto n = static_cast<std::size_t>(grid.n);

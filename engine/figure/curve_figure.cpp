@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 
 #include "engine/canvas/canvas.h"
 #include "engine/core/check.h"
+#include "engine/core/ending.h"
 #include "engine/core/file.h"
 #include "engine/figure/fitted_text.h"
 #include "engine/figure/slice_panel.h"
@@ -26,8 +28,10 @@ constexpr Rgba kQuiet{96, 101, 109, 255};
 constexpr Rgba kGrid{226, 229, 233, 255};
 constexpr Rgba kBeyond{213, 60, 50, 28};
 constexpr Rgba kLimit{190, 40, 40, 255};
-/// Of Okabe and Ito: blue and vermilion.
-constexpr std::array<Rgba, 2> kLines{Rgba{0, 114, 178, 255}, Rgba{213, 94, 0, 255}};
+/// Of Okabe and Ito: blue, vermilion, green, purple, orange, sky.
+constexpr std::array<Rgba, 6> kLines{Rgba{0, 114, 178, 255},   Rgba{213, 94, 0, 255},  Rgba{0, 158, 115, 255},
+                                     Rgba{204, 121, 167, 255}, Rgba{230, 159, 0, 255}, Rgba{86, 180, 233, 255}};
+constexpr std::uint8_t kBandAlpha = 56;
 
 constexpr double kPlotHeight = 150.0;  // All at a width of 1000 pixels.
 constexpr double kPlotGap = 34.0;
@@ -38,6 +42,9 @@ constexpr double kBottom = 46.0;
 constexpr double kLabelGap = 7.0;
 constexpr double kPaperMargin = 4.0;
 constexpr double kTickAtUnit = 12.0;
+constexpr double kNameAfter = 34.0;  // From the beginning of a piece of line to its name …
+constexpr double kNameGap = 10.0;    // … and from the name to the next.
+constexpr double kNameRow = 17.0;
 constexpr double kFinestDpi = 600.0;
 constexpr double kCurve_pt = 0.8;
 constexpr double kThin_pt = 0.5;
@@ -54,7 +61,8 @@ struct Sizes {
   double left = kLeft;
   double line = 1.8;  ///< Widths of the curves, and of all else.
   double thin = 1.0;
-  double finest_px = 1.0;  ///< Below which curves need no detail.
+  std::size_t name_rows = 0;  ///< Above the only plot, where its lines' names have no room beside its heading.
+  double finest_px = 1.0;     ///< Below which curves need no detail.
 };
 
 /// Where one plot lies, and what its edges stand for.
@@ -96,7 +104,8 @@ Sizes sizes_of(const CurveFigure& figure, double dpi) {
 
 double height_of(const CurveFigure& figure, const Sizes& sizes) {
   const auto count = static_cast<double>(figure.plots.size());
-  return std::ceil(sizes.unit * (kTop + count * (kPlotHeight + kPlotGap) - kPlotGap + kBottom));
+  return std::ceil(sizes.unit * (kTop + kNameRow * static_cast<double>(sizes.name_rows) +
+                                 count * (kPlotHeight + kPlotGap) - kPlotGap + kBottom));
 }
 
 Place place_of(const CurveFigure& figure, std::size_t index, const Sizes& sizes) {
@@ -105,13 +114,18 @@ Place place_of(const CurveFigure& figure, std::size_t index, const Sizes& sizes)
   place.unit = sizes.unit;
   place.sizes = sizes;
   place.x = sizes.left;
-  place.y = (kTop + static_cast<double>(index) * (kPlotHeight + kPlotGap)) * place.unit;
+  place.y =
+      (kTop + kNameRow * static_cast<double>(sizes.name_rows) + static_cast<double>(index) * (kPlotHeight + kPlotGap)) *
+      place.unit;
   place.w = sizes.width - sizes.left - kRight * place.unit;
   place.h = kPlotHeight * place.unit;
   std::optional<plot::Extent> all;
   for (const FigureLine& line : shown.lines) {
-    const std::optional<plot::Extent> one = line.curve->extent(figure.begin_s, figure.end_s);
-    if (one) all = all ? plot::Extent{std::min(all->low, one->low), std::max(all->high, one->high)} : *one;
+    for (const plot::Curve* curve : {line.curve.get(), line.low.get(), line.high.get()}) {
+      if (curve == nullptr) continue;
+      const std::optional<plot::Extent> one = curve->extent(figure.begin_s, figure.end_s);
+      if (one) all = all ? plot::Extent{std::min(all->low, one->low), std::max(all->high, one->high)} : *one;
+    }
   }
   const plot::Extent range = plot::value_range(all.value_or(plot::Extent{0.0, 1.0}), shown.from_zero, shown.limits);
   place.time = plot::axis_over(figure.begin_s, figure.end_s, place.w, 90.0 * place.unit);
@@ -206,8 +220,26 @@ void draw_dashed(Canvas& canvas, const std::vector<Point>& points, Rgba colour, 
   if (down && piece.size() > 1) canvas.polyline(piece, colour, width);
 }
 
+/// Up along the upper edge and back along the lower one. A band has no gaps.
+void draw_band(Canvas& canvas, const FigureLine& line, Rgba colour, const Place& place) {
+  if (line.low == nullptr || line.high == nullptr) return;
+  const auto columns = static_cast<int>(place.w / place.sizes.finest_px);
+  const auto edge = [&](const plot::Curve& curve) {
+    const auto lines = curve.lines(place.time.low, place.time.high, columns);
+    return lines.empty() ? std::vector<Point>() : cut(lines.front(), place);
+  };
+  std::vector<Point> around = edge(*line.high);
+  const std::vector<Point> below = edge(*line.low);
+  around.insert(around.end(), below.rbegin(), below.rend());
+  colour.a = kBandAlpha;
+  if (around.size() > 2) canvas.polygon(around, colour);
+}
+
 void draw_lines(Canvas& canvas, const CurvePlot& shown, const Place& place) {
   const double width = place.sizes.line;
+  for (std::size_t i = 0; i < shown.lines.size(); ++i) {
+    draw_band(canvas, shown.lines[i], kLines[i % kLines.size()], place);
+  }
   for (std::size_t i = 0; i < shown.lines.size(); ++i) {
     const Rgba colour = kLines[i % kLines.size()];
     const auto columns = static_cast<int>(place.w / place.sizes.finest_px);
@@ -223,24 +255,50 @@ void draw_lines(Canvas& canvas, const CurvePlot& shown, const Place& place) {
   }
 }
 
-/// Above the plot: title and unit on the left, the lines' names on the right.
+std::string heading_of(const CurvePlot& shown) {
+  return shown.unit.empty() ? shown.title : fmt::format("{}, {}", shown.title, shown.unit);
+}
+
+/// A piece of the line, and its name behind it.
+void draw_name(Canvas& canvas, std::size_t i, Point at, const std::string& name, const Sizes& sizes) {
+  const double unit = sizes.unit;
+  const std::vector<Point> sample{{at.x, at.y - 4.0 * unit}, {at.x + 28.0 * unit, at.y - 4.0 * unit}};
+  const Rgba colour = kLines[i % kLines.size()];
+  if (i % 2 == 1) {
+    draw_dashed(canvas, sample, colour, sizes.line);
+  } else {
+    canvas.polyline(sample, colour, sizes.line);
+  }
+  canvas.text({at.x + kNameAfter * unit, at.y}, name, {sizes.tick, Weight::kRegular, kInk, Align::kLeft});
+}
+
+/// What the names take beside the heading, each with its piece of line.
+double names_width(const Canvas& canvas, const CurvePlot& shown, const Sizes& sizes) {
+  const TextStyle style{sizes.tick, Weight::kRegular, kInk, Align::kLeft};
+  double width = 0.0;
+  for (const FigureLine& line : shown.lines) {
+    width += canvas.text_width(line.name, style) + (kNameAfter + kNameGap) * sizes.unit;
+  }
+  return width;
+}
+
+/// Above the plot: title and unit on the left, the lines' names on the right, or above where there is no room.
 void draw_heading(Canvas& canvas, const CurvePlot& shown, const Place& place) {
-  const double y = place.y - 8.0 * place.unit;
-  canvas.text({place.x, y}, shown.unit.empty() ? shown.title : fmt::format("{}, {}", shown.title, shown.unit),
-              {place.sizes.heading, Weight::kSemiBold, kInk, Align::kLeft});
-  double x = place.x + place.w;
-  const TextStyle style{place.sizes.tick, Weight::kRegular, kInk, Align::kRight};
-  for (std::size_t i = shown.lines.size(); i-- > 0;) {
-    canvas.text({x, y}, shown.lines[i].name, style);
-    x -= canvas.text_width(shown.lines[i].name, style) + 6.0 * place.unit;
-    const std::vector<Point> sample{{x - 28.0 * place.unit, y - 4.0 * place.unit}, {x, y - 4.0 * place.unit}};
-    const Rgba colour = kLines[i % kLines.size()];
-    if (i % 2 == 1) {
-      draw_dashed(canvas, sample, colour, place.sizes.line);
+  const double unit = place.unit;
+  const double y = place.y - 8.0 * unit;
+  canvas.text({place.x, y}, heading_of(shown), {place.sizes.heading, Weight::kSemiBold, kInk, Align::kLeft});
+  const TextStyle style{place.sizes.tick, Weight::kRegular, kInk, Align::kLeft};
+  double x = place.x + place.w - names_width(canvas, shown, place.sizes) + kNameGap * unit;
+  for (std::size_t i = 0; i < shown.lines.size(); ++i) {
+    if (place.sizes.name_rows > 0) {
+      const double above = static_cast<double>(place.sizes.name_rows) - static_cast<double>(i);
+      const double room = place.w - kNameAfter * unit;
+      draw_name(canvas, i, {place.x, y - above * kNameRow * unit}, fitted(canvas, shown.lines[i].name, style, room),
+                place.sizes);
     } else {
-      canvas.polyline(sample, colour, place.sizes.line);
+      draw_name(canvas, i, {x, y}, shown.lines[i].name, place.sizes);
+      x += canvas.text_width(shown.lines[i].name, style) + (kNameAfter + kNameGap) * unit;
     }
-    x -= 44.0 * place.unit;
   }
 }
 
@@ -265,9 +323,24 @@ void draw(Canvas& canvas, const CurveFigure& figure, const Sizes& sizes) {
   }
 }
 
+/// A cell of a CSV; names are the user's.
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
 Sizes laid_out(const CurveFigure& figure, double dpi) {
   Sizes sizes = sizes_of(figure, dpi);
-  if (figure.print) sizes.left = left_of(Canvas(Image(1, 1)), figure, sizes);
+  const Canvas canvas(Image(1, 1));
+  if (figure.print) sizes.left = left_of(canvas, figure, sizes);
+  if (figure.plots.size() != 1) return sizes;
+  const CurvePlot& only = figure.plots.front();
+  const TextStyle bold{sizes.heading, Weight::kSemiBold, kInk, Align::kLeft};
+  const double room = sizes.width - sizes.left - kRight * sizes.unit;
+  const double needed = canvas.text_width(heading_of(only), bold) + names_width(canvas, only, sizes);
+  if (needed > room) sizes.name_rows = only.lines.size();
   return sizes;
 }
 
@@ -281,7 +354,7 @@ Image draw_curves(const CurveFigure& figure) {
 }
 
 Status save_curves(const CurveFigure& figure, const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = ending_of(path);
   if (extension != ".svg" && extension != ".pdf") {
     return tl::unexpected(
         Error(ErrorCode::kInvalidArgument, "curves are saved as .png, .svg, .pdf or .csv").at(path.string()));
@@ -297,14 +370,19 @@ Status save_curves(const CurveFigure& figure, const std::filesystem::path& path)
 
 Status save_curves_csv(const CurveFigure& figure, const std::filesystem::path& path) {
   std::string text = figure.axis_column + ",curve,unit,line,value\n";
+  const auto add = [&](const CurvePlot& shown, const std::string& name, const plot::Curve* curve) {
+    if (curve == nullptr) return;
+    for (std::size_t i = 0; i < curve->x().size(); ++i) {
+      if (curve->x()[i] < figure.begin_s || curve->x()[i] > figure.end_s || !std::isfinite(curve->y()[i])) continue;
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", curve->x()[i], csv_cell(shown.title), shown.unit,
+                     csv_cell(name), curve->y()[i]);
+    }
+  };
   for (const CurvePlot& shown : figure.plots) {
     for (const FigureLine& line : shown.lines) {
-      const plot::Curve& curve = *line.curve;
-      for (std::size_t i = 0; i < curve.x().size(); ++i) {
-        if (curve.x()[i] < figure.begin_s || curve.x()[i] > figure.end_s || !std::isfinite(curve.y()[i])) continue;
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", curve.x()[i], shown.title, shown.unit, line.name,
-                       curve.y()[i]);
-      }
+      add(shown, line.name, line.curve.get());
+      add(shown, line.name + " low", line.low.get());
+      add(shown, line.name + " high", line.high.get());
     }
   }
   return write_file(path, text);

@@ -19,6 +19,9 @@ namespace trocar::figure {
 struct FigureLine {
   std::string name;  ///< "Left"
   std::shared_ptr<const plot::Curve> curve;
+  std::shared_ptr<const plot::Curve> low =
+      nullptr;  ///< With `high`: a band about the curve, at the same x. Null: none.
+  std::shared_ptr<const plot::Curve> high = nullptr;
 };
 
 struct CurvePlot {
@@ -45,7 +48,7 @@ Image draw_curves(const CurveFigure& figure);
 /// As .svg or .pdf, by the extension of `path`. Errors: kInvalidArgument for another, kIo.
 Status save_curves(const CurveFigure& figure, const std::filesystem::path& path);
 /// Every sample between begin and end as a row "t_s,curve,unit,line,value" (the first: `axis_column`); the shortest
-/// text that reads back as the same number, none in a gap. Errors: kIo.
+/// text that reads back as the same number, none in a gap; a band as lines "NAME low" and "NAME high". Errors: kIo.
 Status save_curves_csv(const CurveFigure& figure, const std::filesystem::path& path);
 
 }  // namespace trocar::figure

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/figure/outcome_colours.h"
 #include "engine/figure/slice_geometry.h"
 
 namespace trocar::figure {
 namespace {
 
 using learning::Layer;
+using learning::RolloutEnd;
 
 constexpr Rgba kNothing{216, 219, 224, 255};
 
@@ -33,7 +35,8 @@ std::vector<Rgba> colours_of(Layer layer) {
     case Layer::kObstacles:
       return {kNothing, category(kOrange)};
     case Layer::kBasin:
-      return {category(kBlue), category(kOrange), category(kVermilion), kNothing};
+      return {outcome_colour(RolloutEnd::kArrives), outcome_colour(RolloutEnd::kLoops),
+              outcome_colour(RolloutEnd::kDeadEnd), outcome_colour(RolloutEnd::kOutsideSafeSet)};
     default:
       return {};
   }

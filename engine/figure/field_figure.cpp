@@ -1,5 +1,6 @@
 #include "engine/figure/field_figure.h"
 
+#include "engine/core/ending.h"
 #include "engine/figure/field_files.h"
 #include "engine/figure/layout.h"
 
@@ -27,7 +28,7 @@ Image draw_field(const learning::Field& field, const FieldFigureOptions& options
 }
 
 Status save_field(const learning::Field& field, const FieldFigureOptions& options, const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = ending_of(path);
   if (extension == ".csv") return write_csv(field, options.slice, path);
   if (extension == ".npy") return write_npy(field, options.slice, path);
   if (extension == ".vti") {

@@ -119,8 +119,10 @@ RolloutSummary summarise(const Basin& basin, const std::vector<CellIndex>& start
         ++summary.looped;
         break;
       case RolloutEnd::kDeadEnd:
-      case RolloutEnd::kOutsideSafeSet:
         ++summary.dead_end;
+        break;
+      case RolloutEnd::kOutsideSafeSet:
+        ++summary.outside;
         break;
     }
   }

@@ -48,11 +48,13 @@ Rollout rollout(const Model& model, const std::vector<std::uint8_t>& policy, spa
 /// Starts within ± k cells (Chebyshev) of the model's start, by CellIndex.
 std::vector<spatial::CellIndex> starts_around(const Model& model, int k);
 
+/// `arrived`, `looped`, `dead_end` and `outside` add up to `count`.
 struct RolloutSummary {
   int count = 0;
   int arrived = 0;
   int looped = 0;
-  int dead_end = 0;    ///< Includes starts outside of the safe set that the model cannot leave.
+  int dead_end = 0;
+  int outside = 0;     ///< Starts outside of the safe set that the model cannot leave.
   int from_above = 0;  ///< Of the arrived.
 };
 RolloutSummary summarise(const Basin& basin, const std::vector<spatial::CellIndex>& starts);

@@ -135,6 +135,14 @@ double measure(const Rollout& rollout, RolloutMeasure measure, const spatial::Gr
   return kUnknown;
 }
 
+bool lies_in(const Rollout& rollout, const std::vector<RolloutRange>& ranges, const spatial::Grid& grid,
+             std::span<const double> clearance_m) {
+  return std::all_of(ranges.begin(), ranges.end(), [&](const RolloutRange& range) {
+    const double value = measure(rollout, range.measure, grid, clearance_m);
+    return value >= range.low && value <= range.high;
+  });
+}
+
 std::vector<std::size_t> sorted_by(const std::vector<Rollout>& rollouts, RolloutMeasure by, bool descending,
                                    const spatial::Grid& grid, std::span<const double> clearance_m) {
   std::vector<double> values;
@@ -182,11 +190,24 @@ DeviationBand deviation_band(const Model& model, const std::vector<Rollout>& rol
     if (at_step.size() < kLeastInBand) break;
     std::sort(at_step.begin(), at_step.end());
     band.low.push_back(quantile(at_step, 0.05));
+    band.lower.push_back(quantile(at_step, 0.25));
     band.median.push_back(quantile(at_step, 0.5));
+    band.upper.push_back(quantile(at_step, 0.75));
     band.high.push_back(quantile(at_step, 0.95));
     band.count.push_back(static_cast<int>(at_step.size()));
   }
   return band;
+}
+
+std::string band_csv(const DeviationBand& band) {
+  std::string csv = "step,n,share,p05_mm,p25_mm,median_mm,p75_mm,p95_mm\n";
+  for (std::size_t step = 0; step < band.count.size(); ++step) {
+    csv += fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", step, band.count[step],
+                       static_cast<double>(band.count[step]) / static_cast<double>(band.count.front()),
+                       1e3 * band.low[step], 1e3 * band.lower[step], 1e3 * band.median[step], 1e3 * band.upper[step],
+                       1e3 * band.high[step]);
+  }
+  return csv;
 }
 
 std::vector<int> arrivals_by_step(const Basin& basin, const std::vector<CellIndex>& starts) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/progress.h"
+#include "engine/core/result.h"
 #include "engine/learning/monte_carlo.h"
 #include "engine/learning/rollout.h"
 
@@ -30,6 +31,21 @@ enum class RolloutMeasure : std::uint8_t {
 };
 constexpr int kRolloutMeasures = 13;
 
+/// What a measure is called, and in what it is written: its SI value times `scale` is in `unit`.
+struct MeasureWords {
+  std::string_view word;   ///< "max_deviation": on the command line.
+  std::string_view name;   ///< "Worst": over a column.
+  std::string_view title;  ///< "Worst deviation"
+  std::string_view unit;   ///< "mm"; "" for a number.
+  double scale = 1.0;
+};
+const MeasureWords& words_of(RolloutMeasure measure);
+/// By its word. Errors: kInvalidArgument with the words that there are.
+Result<RolloutMeasure> rollout_measure_from(std::string_view word);
+/// The value in its unit, and its class in words: "12.5 mm", "loops", "never", "unknown" for NaN; a start by its flat
+/// number.
+std::string measure_text(RolloutMeasure measure, double value);
+
 /// The last three moves in their order, "-z -z -z"; fewer for a shorter rollout, "" where it never moved.
 std::string last_moves(const spatial::Grid& grid, const CellSequence& cells);
 
@@ -45,6 +61,17 @@ double measure(const Rollout& rollout, RolloutMeasure measure, const spatial::Gr
 std::vector<std::size_t> sorted_by(const std::vector<Rollout>& rollouts, RolloutMeasure by, bool descending,
                                    const spatial::Grid& grid, std::span<const double> clearance_m);
 
+/// What a rollout must have to be kept: a measure from `low` to `high`, both included.
+struct RolloutRange {
+  RolloutMeasure measure = RolloutMeasure::kSteps;
+  double low = 0.0;  ///< As `measure`.
+  double high = 0.0;
+  bool operator==(const RolloutRange&) const = default;
+};
+/// Whether it lies in all of them; what is not known lies in none.
+bool lies_in(const Rollout& rollout, const std::vector<RolloutRange>& ranges, const spatial::Grid& grid,
+             std::span<const double> clearance_m);
+
 struct RolloutTableOptions {
   std::span<const double> clearance_m;      ///< By CellIndex; empty: the column stays empty.
   const MonteCarlo* monte_carlo = nullptr;  ///< Of the same starts in the same order: six columns more.
@@ -57,16 +84,20 @@ Result<std::string> rollout_csv(const Model& model, const std::vector<std::uint8
                                 const std::vector<spatial::CellIndex>& starts, const RolloutTableOptions& options,
                                 Progress& progress);
 
-/// How far rollouts are from the expert's cells, step by step, metres: the middle one and where 90 % lie, of those that
-/// still go on, `count` of them; up to the last step that `kLeastInBand` of them reach.
+/// How far rollouts are from the expert's cells, step by step, metres: the middle one, and where half and 90 % lie, of
+/// those that still go on, `count` of them; up to the last step that `kLeastInBand` of them reach.
 struct DeviationBand {
-  std::vector<double> low;  ///< 5 %
+  std::vector<double> low;    ///< 5 %
+  std::vector<double> lower;  ///< 25 %
   std::vector<double> median;
-  std::vector<double> high;  ///< 95 %
+  std::vector<double> upper;  ///< 75 %
+  std::vector<double> high;   ///< 95 %
   std::vector<int> count;
 };
 constexpr int kLeastInBand = 5;
 DeviationBand deviation_band(const Model& model, const std::vector<Rollout>& rollouts);
+/// A header and one row for each step: how many still go on, and their share of all; millimetres.
+std::string band_csv(const DeviationBand& band);
 
 /// How many of the starts have arrived within 0, 1, 2 … steps; up to the slowest that arrives, so that the last is how
 /// many arrive at all. One 0 where none does.

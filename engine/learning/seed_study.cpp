@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "engine/core/parallel.h"
+#include "engine/statistics/proportion.h"
 #include "engine/statistics/summary.h"
 
 namespace trocar::learning {
@@ -208,10 +209,11 @@ std::vector<std::string> findings(const EpsilonStudy& study) {
           "the paper: \u221234 %)",
           verdict(study.unexplored_fell), study.unexplored_fell, count, percent(study.unexplored_mean),
           100.0 * study.unexplored_sd),
-      fmt::format("{}: exploring makes the agent robust to other starts (within \u00b13 cells {:.0f} % arrive with "
-                  "\u03b5 = {:g} and {:.0f} % with 0, more in {} of {} seeds; robust would be {:.0f} %)",
-                  study.near_exploring > kRobust ? "Holds" : "Does not hold", 100.0 * study.near_exploring,
-                  study.epsilon, 100.0 * study.near_greedy, nearer, count, 100.0 * kRobust)};
+      fmt::format("{}: exploring makes the agent robust to other starts (within \u00b13 cells {} arrive with "
+                  "\u03b5 = {:g} and {} with 0, more in {} of {} seeds; robust would be {:.0f} %)",
+                  study.near_exploring > kRobust ? "Holds" : "Does not hold",
+                  statistics::share_text(study.near_exploring, 0), study.epsilon,
+                  statistics::share_text(study.near_greedy, 0), nearer, count, 100.0 * kRobust)};
 }
 
 }  // namespace trocar::learning

@@ -171,7 +171,7 @@ constexpr std::array<Form, 6> kForms{{{"around:", around},
 
 std::string_view start_set_help() {
   return "all, around:K (within ±K cells of the start), box:X0-X1,Y0-Y1,Z0-Z1, face:x0 … face:z1, sphere:X,Y,Z,R, "
-         "gaussian:SIGMA_MM,N,SEED or cells:A,B-C";
+         "gaussian:SIGMA_MM,N,SEED, cells:A,B-C or file:F.csv (columns i,j,k)";
 }
 
 Starts starts_from(std::string_view text, const Model& model) {

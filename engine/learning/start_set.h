@@ -21,7 +21,7 @@ namespace trocar::learning {
 ///
 /// Each cell once, by CellIndex; of `gaussian`, all N draws in their order. Errors: kInvalidArgument, one sentence.
 Result<std::vector<spatial::CellIndex>> starts_from(std::string_view text, const Model& model);
-/// The forms above, for help.
+/// The forms above, and `file:` of `read_starts`, for help.
 std::string_view start_set_help();
 
 /// "cells:…" for these cells, in runs.

@@ -14,6 +14,7 @@
 #include "engine/kinematics/psm.h"
 #include "engine/learning/field.h"
 #include "engine/plot/colouring.h"
+#include "engine/plot/opacity_curve.h"
 #include "engine/scene/scene.h"
 #include "engine/simulation/world_state.h"
 #include "engine/spatial/grid.h"
@@ -48,10 +49,11 @@ struct FieldLayer {
   std::array<int, 3> slices{-1, -1, -1};  ///< x, y, z.
   std::array<int, 3> slabs{1, 1, 1};      ///< Cells, at least 1: a slice shows the largest value across them.
   bool voxels = false;
-  double voxel_threshold = 0.9;     ///< Position on the scale, 0 … 1, from which on a voxel is drawn.
-  std::optional<double> iso_level;  ///< Position on the scale, 0 … 1; none: no surface.
-  bool volume = false;              ///< Not of the scene: `volume::march` draws it over the picture.
-  Glyphs glyphs = Glyphs::kNone;    ///< On the slices; of `model`.
+  double voxel_threshold = 0.9;                     ///< Position on the scale, 0 … 1, from which on a voxel is drawn.
+  std::optional<double> iso_level;                  ///< Position on the scale, 0 … 1; none: no surface.
+  bool volume = false;                              ///< Not of the scene: `volume::march` draws it over the picture.
+  std::optional<plot::OpacityCurve> opacity_curve;  ///< Of the volume; none: fitted to the field.
+  Glyphs glyphs = Glyphs::kNone;                    ///< On the slices; of `model`.
   plot::Colouring colouring;
   float opacity = 0.85F;
   /// Whose field it is, for glyphs and streamlines; may be null without them.

@@ -1,5 +1,7 @@
 #include "engine/statistics/proportion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,6 +42,20 @@ Interval paired_difference_interval(int only_a, int only_b, int pairs, double z)
   const double difference = (b - a) / n;
   const double error = std::sqrt((a + b) - (b - a) * (b - a) / n) / n;
   return {std::max(difference - z * error, -1.0), std::min(difference + z * error, 1.0)};
+}
+
+std::string share_text(double share, int digits) {
+  const double least = std::pow(10.0, -digits);
+  const auto words = [digits](double percent) { return fmt::format("{:.{}f} %", percent, digits); };
+  const std::string text = words(100.0 * share);
+  if (share < 1.0 && text == words(100.0)) return ">" + words(100.0 - least);
+  if (share > 0.0 && text == words(0.0)) return "<" + words(least);
+  return text;
+}
+
+std::string percent_text(std::int64_t part, std::int64_t whole, int digits) {
+  if (whole <= 0) return "–";
+  return share_text(static_cast<double>(part) / static_cast<double>(whole), digits);
 }
 
 }  // namespace trocar::statistics

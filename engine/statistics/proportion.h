@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace trocar::statistics {
 
@@ -22,5 +23,11 @@ double mcnemar_exact_p(int only_a, int only_b);
 /// interval with half a pair added to each of the four outcomes (Agresti and Min 2005). −1 … 1 where there are no
 /// pairs.
 Interval paired_difference_interval(int only_a, int only_b, int pairs, double z = 1.959963984540054);
+
+/// A share of 0 … 1 as "37.5 %", with so many digits after the point. What is not all is never called 100 %, and what
+/// is not nothing never 0 %: ">99.9 %", "<0.1 %". Precondition: 0 ≤ digits.
+std::string share_text(double share, int digits);
+/// `part` of `whole`; "–" if there is no whole. Precondition: 0 ≤ part ≤ whole.
+std::string percent_text(std::int64_t part, std::int64_t whole, int digits);
 
 }  // namespace trocar::statistics

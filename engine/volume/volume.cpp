@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 using Eigen::Vector4f;
 
 constexpr int kColours = 256;
-/// Of a cell whose value is at the far end of the scale, before the layer's own opacity.
+/// Of a cell where the curve is highest, before the layer's own opacity.
 constexpr float kThickest = 0.75F;
-/// Weaker than this share of the scale a value hides nothing that could be seen.
-constexpr float kLeastStrength = 0.02F;
+/// Below this height of the curve a value hides nothing that could be seen.
+constexpr double kLeastHeight = 0.02;
 constexpr float kFineStep = 0.5F;  ///< Cells.
 constexpr float kCoarseStep = 0.8F;
 /// What is behind can no longer be seen.
@@ -27,17 +27,14 @@ constexpr float kFull = 0.985F;
 /// Rays that end so near to each other see the same.
 constexpr float kSameDepth_m = 0.003F;
 
-float strength(plot::ColourMap map, float position) {
-  return map == plot::ColourMap::kDiverging ? std::abs(2.0F * position - 1.0F) : position;
-}
-
 /// Premultiplied colours by position, each of a step through cells that have it.
-std::vector<Vector4f> transfer(const plot::Colouring& colouring, float opacity, float step) {
+std::vector<Vector4f> transfer(const plot::Colouring& colouring, const plot::OpacityCurve& curve, float opacity,
+                               float step) {
   std::vector<Vector4f> table(kColours);
   for (int i = 0; i < kColours; ++i) {
     const float position = static_cast<float>(i) / (kColours - 1);
-    const float strong = strength(colouring.map, position);
-    const float of_cell = std::min(kThickest * opacity * strong * strong, 0.999F);
+    const auto height = static_cast<float>(curve.at(static_cast<double>(position)));
+    const float of_cell = std::min(kThickest * opacity * height * height, 0.999F);
     const float alpha = 1.0F - std::pow(1.0F - of_cell, step);
     const Rgba colour = colouring.colour_at(static_cast<double>(position));
     table[static_cast<std::size_t>(i)] =
@@ -168,15 +165,32 @@ void Marcher::prepare(const std::shared_ptr<const learning::Field>& field, const
     const spatial::CellCoordinates c = field->grid.coordinates({s});
     cells_[flat(c.x + 1, c.y + 1, c.z + 1)] = {static_cast<float>(colouring.scale.position(value)), 1.0F};
   }
+  fitted_ = plot::fitted_opacity(colouring, field->values);
+  of_empty_.reset();
+}
+
+void Marcher::leave_out(const plot::OpacityCurve& curve) {
+  if (of_empty_ == curve) return;
+  of_empty_ = curve;
+  const auto side = static_cast<std::size_t>(side_);
+  const auto flat = [side](int x, int y, int z) {
+    return (static_cast<std::size_t>(x) * side + static_cast<std::size_t>(y)) * side + static_cast<std::size_t>(z);
+  };
   empty_.assign(cells_.size(), 1);
   for (int x = 0; x + 1 < side_; ++x) {
     for (int y = 0; y + 1 < side_; ++y) {
       for (int z = 0; z + 1 < side_; ++z) {
+        float low = 1.0F;
+        float high = 0.0F;
         for (int corner = 0; corner < 8; ++corner) {
           const Cell& cell = cells_[flat(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2))];
-          const bool seen = cell.known > 0.0F && strength(colouring.map, cell.weighted) >= kLeastStrength;
-          if (seen) empty_[flat(x, y, z)] = 0;
+          if (cell.known == 0.0F) continue;
+          low = std::min(low, cell.weighted);
+          high = std::max(high, cell.weighted);
         }
+        if (low > high) continue;
+        const double most = curve.highest(static_cast<double>(low), static_cast<double>(high));
+        if (most >= kLeastHeight) empty_[flat(x, y, z)] = 0;
       }
     }
   }
@@ -189,8 +203,10 @@ void Marcher::draw(Image& picture, const std::vector<float>& depth_m, const scen
   TROCAR_CHECK(field->values.size() == static_cast<std::size_t>(field->grid.cell_count()));
   TROCAR_CHECK(4 * depth_m.size() == picture.rgba.size());
   prepare(field, colouring);
+  const plot::OpacityCurve& curve = options.curve ? *options.curve : fitted_;
+  leave_out(curve);
   const float step = options.divisor > 1 ? kCoarseStep : kFineStep;
-  const std::vector<Vector4f> table = transfer(colouring, options.opacity, step);
+  const std::vector<Vector4f> table = transfer(colouring, curve, options.opacity, step);
   const int columns = (picture.width + options.divisor - 1) / options.divisor;
   const int rows = (picture.height + options.divisor - 1) / options.divisor;
   const Rays rays(camera, picture.width, picture.height, field->grid);

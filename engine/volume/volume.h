@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/core/image.h"
 #include "engine/learning/field.h"
 #include "engine/plot/colouring.h"
+#include "engine/plot/opacity_curve.h"
 #include "engine/scene/scene.h"
 
 namespace trocar::volume {
@@ -16,17 +18,17 @@ namespace trocar::volume {
 struct MarchOptions {
   int divisor = 1;  ///< One ray for so many pixels each way, smoothed between; at least 1.
   int threads = 2;  ///< At least 1. The picture does not depend on it.
-  /// 0 … 1: how much of what is behind a cell is hidden by one whose value is at the far end of the scale.
+  /// 0 … 1: how much of what is behind a cell is hidden by one where the curve is highest.
   float opacity = 0.8F;
+  std::optional<plot::OpacityCurve> curve;  ///< By place on the scale; none: `plot::fitted_opacity`.
   /// The slices that are drawn too, by cell; −1: none. What is behind one is left out, as if slices let nothing
   /// through.
   std::array<int, 3> slices{-1, -1, -1};
 };
 
-/// Draws volumes. A value has the colour that `colouring` gives it, and hides the more the farther it is from the end
-/// of the scale where least happens (of a diverging map: from its middle), so that the cloud is thick where the field
-/// is strong. Positions on the scale are interpolated between the centres of the known cells (trilinear); where nothing
-/// is known there is nothing.
+/// Draws volumes. A value has the colour that `colouring` gives it, and hides as much as the curve says. Positions on
+/// the scale are interpolated between the centres of the known cells (trilinear); where nothing is known there is
+/// nothing.
 ///
 /// Threads: one at a time; it uses others while `draw` runs.
 class Marcher {
@@ -44,12 +46,15 @@ class Marcher {
     float known = 0.0F;     ///< 1 or 0.
   };
   void prepare(const std::shared_ptr<const learning::Field>& field, const plot::Colouring& colouring);
+  void leave_out(const plot::OpacityCurve& curve);
 
   std::shared_ptr<const learning::Field> field_;
   plot::Colouring colouring_;
   int side_ = 0;
   std::vector<Cell> cells_;
-  std::vector<std::uint8_t> empty_;  ///< By lower corner of eight cells: none of them is known.
+  plot::OpacityCurve fitted_;
+  std::optional<plot::OpacityCurve> of_empty_;  ///< What `empty_` was found with.
+  std::vector<std::uint8_t> empty_;             ///< By lower corner of eight cells: nothing between them is seen.
 };
 
 }  // namespace trocar::volume

@@ -13,6 +13,7 @@
 #include "engine/learning/imported_model.h"
 #include "engine/learning/model.h"
 #include "engine/learning/monte_carlo.h"
+#include "engine/learning/rollout_table.h"
 #include "engine/media/video_writer.h"
 #include "engine/plot/colour_map.h"
 #include "engine/scene/scene.h"
@@ -26,7 +27,11 @@
 #include "engine/workbench/field_settings.h"
 #include "engine/workbench/import_settings.h"
 #include "engine/workbench/job_view.h"
+<<<<<<< HEAD
 #include "engine/workbench/trial_plan.h"
+=======
+#include "engine/workbench/plot_settings.h"
+>>>>>>> origin/lab5
 
 namespace trocar::workbench {
 
@@ -166,6 +171,7 @@ struct SetFieldLayers {
   std::vector<FieldSettings> layers;
 };
 /// What all rollouts have in common at an instant of their play: so many steps, or the same share of the way of each.
+/// A model is of one segment: the share of the way is that of the segment.
 enum class GhostPace : std::uint8_t { kStep, kLength };
 struct RolloutSettings {
   std::string starts = "around:3";  ///< As `learning::read_starts` reads it.
@@ -176,6 +182,7 @@ struct RolloutSettings {
   GhostPace pace = GhostPace::kStep;
   /// How far the rollouts have come where they are drawn: steps, or the share of its way, 0 … 1. None: to their ends.
   std::optional<double> reach;
+  std::vector<learning::RolloutRange> brushed;  ///< Rollouts outside of one of them are grey and thin in the 3-D view.
   bool operator==(const RolloutSettings&) const = default;
 };
 struct SetRollouts {
@@ -190,12 +197,18 @@ struct RunMonteCarlo {
 struct RunPhysics {
   trial::PhysicsOptions options;
 };
-/// Which rows of rollouts are written: of the greedy ones, these with what erring at random found, or the simulator's.
-enum class RolloutRows : std::uint8_t { kGreedy, kErring, kSimulated };
+/// Which rows of rollouts are written: of the greedy ones, these with what erring at random found, the simulator's, or
+/// the band of the deviations of the greedy ones, step by step.
+enum class RolloutRows : std::uint8_t { kGreedy, kErring, kSimulated, kBand };
 /// Writes the rows of the chosen starts. What was found of another model or of other starts is not written.
 struct ExportRollouts {
-  std::filesystem::path path;
+  std::filesystem::path path;  ///< .csv, .json or .h5.
   RolloutRows rows = RolloutRows::kGreedy;
+};
+/// Draws the selected model, and the second one beside it, from the chosen starts; or their learning curves.
+struct ExportPlot {
+  PlotSettings settings;
+  std::filesystem::path path;
 };
 /// How models are looked at: beside which other one, at which epoch, and whether a model of the method `exact` follows
 /// its demonstrations while they are edited.
@@ -355,10 +368,17 @@ using Command =
                  SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch,
                  NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping,
                  SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetFieldLayers,
+<<<<<<< HEAD
                  SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, RecordScripted, StopRecording,
                  RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration,
                  FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport, MakeImport,
                  ExportDemonstrations, CancelJob, Report, StartTrials, StartBlock, PauseTrials, StopTrial, EndTrials,
                  MarkIncident, ExportTrials>;
+=======
+                 SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, ExportPlot, RecordScripted,
+                 StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay,
+                 SimulateDemonstration, FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport,
+                 MakeImport, ExportDemonstrations, CancelJob, Report>;
+>>>>>>> origin/lab5
 
 }  // namespace trocar::workbench

@@ -10,6 +10,7 @@
 #include "engine/learning/field.h"
 #include "engine/learning/field_mask.h"
 #include "engine/plot/colouring.h"
+#include "engine/plot/opacity_curve.h"
 #include "engine/stage/glyphs.h"
 
 namespace trocar::workbench {
@@ -27,9 +28,10 @@ struct FieldSettings {
   bool iso_surface = false;
   double iso_level = 0.5;  ///< Position on the scale, 0 … 1.
   bool volume = false;
-  Glyphs glyphs = Glyphs::kNone;               ///< On the slices that are shown.
-  bool streamlines = false;                    ///< Where the greedy policy leads …
-  std::string streamline_starts = "around:2";  ///< … from here, as `learning::starts_from` reads it.
+  std::optional<plot::OpacityCurve> opacity_curve;  ///< Of the volume; none: `plot::fitted_opacity`.
+  Glyphs glyphs = Glyphs::kNone;                    ///< On the slices that are shown.
+  bool streamlines = false;                         ///< Where the greedy policy leads …
+  std::string streamline_starts = "around:2";       ///< … from here, as `learning::starts_from` reads it.
   plot::ScaleKind scale = plot::ScaleKind::kLinear;
   std::optional<plot::ColourMap> map;  ///< None: what suits the layer.
   plot::ColourVision vision = plot::ColourVision::kFull;

@@ -1,5 +1,7 @@
 #include "engine/workbench/rolling.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -50,10 +52,28 @@ double steps_taken(const learning::Rollout& rollout, const RolloutSettings& sett
   return std::clamp(settings.pace == GhostPace::kLength ? *settings.reach * all : *settings.reach, 0.0, all);
 }
 
+std::map<std::string, std::string> about_rollouts(const ModelEntry& entry, const std::string& starts) {
+  return {{"model", entry.name},
+          {"method", std::string(learning::to_string(entry.model->options.method))},
+          {"segment", std::string(1, demonstration::letter(entry.segment))},
+          {"starts", starts}};
+}
+
 Result<std::string> rollout_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                                  const learning::MonteCarlo* monte_carlo, Progress& progress) {
   const std::vector<double> clearance_m = peg_board::clearances_m(model.grid);
   return learning::rollout_csv(model, learning::greedy_policy(model), starts, {clearance_m, monte_carlo}, progress);
+}
+
+Result<std::string> band_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts) {
+  const std::vector<std::uint8_t> policy = learning::greedy_policy(model);
+  std::vector<learning::Rollout> rollouts;
+  rollouts.reserve(starts.size());
+  for (const spatial::CellIndex start : starts) rollouts.push_back(learning::rollout(model, policy, start));
+  const learning::DeviationBand band = learning::deviation_band(model, rollouts);
+  if (!band.count.empty()) return learning::band_csv(band);
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("a band needs {} starts, and there are {}", learning::kLeastInBand, starts.size()));
 }
 
 }  // namespace trocar::workbench

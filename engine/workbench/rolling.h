@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -57,9 +58,15 @@ trial::PhysicsOptions physics_options_of(const Project& project, const ModelEntr
 /// step is one cell long, a share of its way is that share of its steps.
 double steps_taken(const learning::Rollout& rollout, const RolloutSettings& settings);
 
+/// What a file of rollouts says of whose they are: "model", "method", "segment", "starts".
+std::map<std::string, std::string> about_rollouts(const ModelEntry& entry, const std::string& starts);
+
 /// The rows of rollouts with the clearance on this board, as window and command line write them. `monte_carlo` is of
 /// the same starts, or null. Errors: kCancelled.
 Result<std::string> rollout_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                                  const learning::MonteCarlo* monte_carlo, Progress& progress);
+/// The deviations of all of them from the expert, step by step, as window and command line write them.
+/// Errors: kInvalidArgument where fewer than `learning::kLeastInBand` begin.
+Result<std::string> band_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts);
 
 }  // namespace trocar::workbench

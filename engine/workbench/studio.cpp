@@ -76,6 +76,7 @@ Result<Image> Studio::drawn(const scene::Scene& scene, const ViewRequest& reques
     volume::MarchOptions options;
     options.divisor = request.coarse ? kCoarseDivisor : 1;
     options.opacity = layer.opacity;
+    options.curve = layer.opacity_curve;
     options.slices = layer.slices;
     volumes.draw(picture.image, picture.depth_m, request.camera, layer.field, layer.colouring, options);
   }
@@ -120,6 +121,7 @@ stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, cons
   layer.voxel_threshold = settings.voxel_threshold;
   if (settings.iso_surface) layer.iso_level = settings.iso_level;
   layer.volume = settings.volume;
+  layer.opacity_curve = settings.opacity_curve;
   layer.glyphs = settings.glyphs;
   layer.opacity = settings.opacity;
   layer.field = std::move(field);

@@ -1,11 +1,13 @@
 #include "engine/workbench/view_director.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "engine/core/same_object.h"
 #include "engine/figure/field_figure.h"
+#include "engine/figure/outcome_colours.h"
 #include "engine/learning/field.h"
 #include "engine/workbench/rolling.h"
 #include "engine/workbench/whiskers.h"
@@ -14,15 +16,8 @@ namespace trocar::workbench {
 namespace {
 
 constexpr double kSettle_s = 0.150;
+constexpr Rgba kStepsBack{128, 132, 140, 255};  ///< Of what steps back: what was before, what is not brushed.
 constexpr double kLivePeriod_s = 1.0 / 15.0;
-
-/// The colours in which figures and slices show the outcomes.
-std::vector<Rgba> outcome_colours() {
-  learning::Field outcomes;
-  outcomes.layer = learning::Layer::kBasin;
-  outcomes.categories.resize(static_cast<std::size_t>(learning::RolloutEnd::kOutsideSafeSet) + 1);
-  return figure::category_colours(outcomes);
-}
 
 /// Where a rollout has come to: a knob at the end of its way.
 stage::PathLayer head_at(const Eigen::Vector3d& p_W, Rgba colour, double radius_m) {
@@ -48,11 +43,19 @@ void add_ghosts(const PathsRequest& request, std::vector<stage::PathLayer>& path
   const ModelInsight& insight = *request.rollouts;
   const std::vector<learning::Rollout>& ghosts = request.of_second ? insight.second->ghosts : insight.ghosts;
   const auto& selected = request.of_second ? insight.second->selected : insight.selected;
-  const std::vector<Rgba> colours = outcome_colours();
   const spatial::Grid& grid = insight.entry->model->grid;
-  const auto colour = [&colours](const learning::Rollout& one) { return colours[static_cast<std::size_t>(one.end)]; };
-  for (const learning::Rollout& rollout : ghosts) {
-    if (rollout.cells.size() > 1) add_rollout(rollout, grid, request.how, colour(rollout), 0.00025, paths);
+  const auto colour = [](const learning::Rollout& one) { return figure::outcome_colour(one.end); };
+  const auto& clearance_m = insight.clearance_m;
+  const std::span<const double> by_cell =
+      clearance_m ? std::span<const double>(*clearance_m) : std::span<const double>();
+  for (std::size_t i = 0; i < ghosts.size(); ++i) {
+    if (ghosts[i].cells.size() < 2) continue;
+    // The second model's begin where the first one's do, and it is by the first one's measures that one brushes.
+    if (learning::lies_in(insight.ghosts[i], request.how.brushed, grid, by_cell)) {
+      add_rollout(ghosts[i], grid, request.how, colour(ghosts[i]), 0.00025, paths);
+    } else {
+      add_rollout(ghosts[i], grid, request.how, kStepsBack, 0.0001, paths);
+    }
   }
   if (!selected || selected->cells.size() < 2) return;
   // What stands out is thick, in the colour of its end as all others.
@@ -61,10 +64,9 @@ void add_ghosts(const PathsRequest& request, std::vector<stage::PathLayer>& path
 
 /// Where the tools went before the edit that is shown.
 void add_ghost_of(const demonstration::Demonstration& before, std::vector<stage::PathLayer>& paths) {
-  constexpr Rgba kGhost{128, 132, 140, 255};
   for (const kinematics::ArmSide side : {kinematics::ArmSide::kLeft, kinematics::ArmSide::kRight}) {
     stage::PathLayer ghost = stage::path_of(before, side);
-    ghost.colours = {kGhost};
+    ghost.colours = {kStepsBack};
     ghost.radius_m *= 0.6;
     paths.push_back(std::move(ghost));
   }
@@ -111,6 +113,7 @@ PathsRequest paths_of(const WorkbenchState& state) {
   request.rollouts = state.insight;
   request.how.pace = state.rollouts.pace;
   request.how.reach = state.rollouts.reach;
+  request.how.brushed = state.rollouts.brushed;
   return request;
 }
 

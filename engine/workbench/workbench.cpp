@@ -99,6 +99,7 @@ void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
   state.monte_carlo.reset();
   state.physics.reset();
   state.rollouts.selected.reset();
+  state.rollouts.brushed.clear();
   state.history.clear();
   state.sketches.clear();
   sketches_wanted.clear();

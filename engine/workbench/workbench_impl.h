@@ -58,6 +58,7 @@ struct Workbench::Impl {
   void on(const RunMonteCarlo& command);
   void on(const RunPhysics& command);
   void on(const ExportRollouts& command);
+  void on(const ExportPlot& command);
   void on(const RecordScripted& command);
   void on(const StopRecording& command);
   void on(const RecordByHand& command);

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "engine/core/file.h"
+#include "engine/exchange/rollout_file.h"
 #include "engine/learning/start_file.h"
+#include "engine/workbench/jobs/plot_job.h"
 #include "engine/workbench/workbench_impl.h"
 
 namespace trocar::workbench {
@@ -81,9 +83,15 @@ void Workbench::Impl::on(const ExportRollouts& command) {
       if (!simulated || simulated->entry != entry || simulated->cells != cells) {
         return fail(ErrorCode::kInvalidArgument, "these starts of this model were not run in the simulator");
       }
-      TROCAR_RETURN_IF_ERROR(
-          write_file(command.path, trial::physics_csv(*entry->model, cells, simulated->options, simulated->rollouts)));
+      TROCAR_RETURN_IF_ERROR(exchange::write_rollout_rows(
+          trial::physics_csv(*entry->model, cells, simulated->options, simulated->rollouts),
+          about_rollouts(*entry, starts), command.path));
       return JobResult{fmt::format("{} rollouts of the simulator written", simulated->finished), {}};
+    }
+    if (command.rows == RolloutRows::kBand) {
+      TROCAR_ASSIGN_OR_RETURN(const std::string rows, band_rows(*entry->model, cells));
+      TROCAR_RETURN_IF_ERROR(write_file(command.path, rows));
+      return JobResult{fmt::format("the band of {} rollouts written", cells.size()), {}};
     }
     const bool erring = command.rows == RolloutRows::kErring;
     if (erring && (!erred || erred->entry != entry || erred->result.starts != cells)) {
@@ -91,8 +99,32 @@ void Workbench::Impl::on(const ExportRollouts& command) {
     }
     TROCAR_ASSIGN_OR_RETURN(const std::string rows,
                             rollout_rows(*entry->model, cells, erring ? &erred->result : nullptr, progress));
-    TROCAR_RETURN_IF_ERROR(write_file(command.path, rows));
+    TROCAR_RETURN_IF_ERROR(exchange::write_rollout_rows(rows, about_rollouts(*entry, starts), command.path));
     return JobResult{fmt::format("{} rollouts written", cells.size()), {}};
+  };
+  jobs.start("Export " + command.path.filename().string(), work);
+}
+
+void Workbench::Impl::on(const ExportPlot& command) {
+  if (!is_output(command.path)) return;
+  PlotExport wanted;
+  wanted.settings = command.settings;
+  wanted.path = command.path;
+  wanted.starts = state.rollouts.starts;
+  if (command.settings.kind == PlotKind::kCurve) {
+    // Of the whole training, whichever epoch is looked at.
+    for (const ModelId id : {state.model, state.learning.second}) {
+      if (const auto entry = id == ModelId{} ? nullptr : model(id)) wanted.models.push_back(entry);
+    }
+  } else if (state.insight && state.insight->entry) {
+    wanted.models.push_back(state.insight->entry);
+    if (state.insight->second) wanted.models.push_back(state.insight->second->entry);
+  }
+  if (wanted.models.empty()) return log(Severity::kError, "no model is selected");
+  const auto work = [request = std::move(wanted)](Progress& progress) -> Result<JobResult> {
+    TROCAR_ASSIGN_OR_RETURN(const PlotReport report, export_plot(request, progress));
+    if (report.starts == 0) return JobResult{"written", {}};
+    return JobResult{fmt::format("written, from {} starts", report.starts), {}};
   };
   jobs.start("Export " + command.path.filename().string(), work);
 }

@@ -1,5 +1,8 @@
 """What figures, fields and Q-tables look like from outside: paper, VTK, HDF5, and tables that go out and come back."""
 import base64
+import collections
+import csv
+import json
 import os
 import re
 import struct
@@ -16,7 +19,7 @@ except ImportError:  # another Python than Debian's comes first: python3-h5py be
         raise
     os.execv("/usr/bin/python3", ["/usr/bin/python3", *sys.argv])
 
-from cli_support import USAGE, WORLD, CommandLineTest
+from cli_support import USAGE, WORLD, CommandLineTest, trocar
 
 COLUMN_PT = 88 / 25.4 * 72
 
@@ -95,6 +98,146 @@ class Paper(CommandLineTest):
                                    ([], "a.txt", "must end in")):
             self.refused(*base, *extra, "--out", self.folder / out, code=USAGE, saying=saying)
             self.assertFalse((self.folder / out).exists())
+
+
+class Rollouts(CommandLineTest):
+    KINDS = ("arrivals", "band", "boxes", "axes", "multiples", "map")
+
+    def setUp(self):
+        super().setUp()
+        self.project = self.recorded_project()
+        self.answer("model", "train", self.project, "Expert", "--method", "eg-maxent", "--episodes", "1000", "--seed", "5",
+                    "--name", "paper")
+
+    def plot(self, *arguments, kind, out):
+        return self.answer("rollout", "plot", self.project, *arguments, "--kind", kind, "--out", self.folder / out)
+
+    def test_every_kind_is_drawn_in_a_column_and_on_a_page_with_letters_of_8_pt(self):
+        for kind in self.KINDS:
+            for preset, width_mm in (("column", 88), ("page", 180)):
+                with self.subTest(kind=kind, preset=preset):
+                    base = ["paper", "A exact", *([] if kind == "map" else ["--starts", "around:2"]), "--preset", preset,
+                            *(["--pictures", "12"] if kind == "multiples" else [])]
+                    self.plot(*base, kind=kind, out="r.pdf")
+                    pdf = (self.folder / "r.pdf").read_bytes()
+                    box = [float(x) for x in re.search(rb"/MediaBox \[ ([^\]]*) \]", pdf)[1].split()]
+                    self.assertAlmostEqual(box[2], width_mm / 25.4 * 72, delta=0.02)
+                    self.assertLess(box[3], 297 / 25.4 * 72)  # a sheet is no higher
+                    self.assertEqual(letter_sizes(pdf), {(8.0, 8.0)})
+                    self.plot(*base, kind=kind, out="r.svg")
+                    root = ElementTree.parse(self.folder / "r.svg").getroot()
+                    self.assertAlmostEqual(float(root.get("width")[:-2]), width_mm / 25.4 * 72, delta=0.02)
+                    self.plot(*base, "--dpi", "150", kind=kind, out="r.png")
+                    width, _, said = png_size(self.folder / "r.png")
+                    self.assertEqual(width, round(width_mm / 25.4 * 150))
+                    self.assertAlmostEqual(said, 150, delta=0.02)
+
+    def test_the_same_command_writes_the_same_bytes(self):
+        for kind in ("boxes", "axes", "multiples"):
+            self.plot("paper", kind=kind, out="a.pdf")
+            self.plot("paper", kind=kind, out="b.PDF")
+            self.assertEqual((self.folder / "a.pdf").read_bytes(), (self.folder / "b.PDF").read_bytes())
+
+    def test_arrivals_and_band_are_numbers_as_well_and_those_of_the_run(self):
+        told = self.answer("rollout", "run", self.project, "paper", "--starts", "around:2", "--spread")
+        self.plot("paper", "--starts", "around:2", kind="arrivals", out="a.csv")
+        with open(self.folder / "a.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        counts = [round(float(row["value"]) * told["count"] / 100) for row in rows]
+        arrivals = told["arrivals_by_step"]
+        self.assertEqual(counts[:len(arrivals)], arrivals)
+        self.assertEqual(counts[-1], told["arrived"])
+        self.plot("paper", "--starts", "around:2", kind="band", out="b.csv")
+        with open(self.folder / "b.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        by_line = {name: [float(row["value"]) for row in rows if row["line"] == name]
+                   for name in ("paper", "paper low", "paper high")}
+        self.assertTrue(by_line["paper"])
+        for low, middle, high in zip(by_line["paper low"], by_line["paper"], by_line["paper high"]):
+            self.assertTrue(low <= middle <= high)
+
+    def test_what_is_kept_or_chosen_changes_the_figure(self):
+        def drawn(*arguments, kind):
+            self.plot("paper", *arguments, kind=kind, out="k.svg")
+            return (self.folder / "k.svg").read_bytes()
+        for kind in ("axes", "multiples"):
+            self.assertNotEqual(drawn(kind=kind), drawn("--keep", "steps:0..6", kind=kind))
+        self.assertNotEqual(drawn(kind="multiples"), drawn("--ascending", kind="multiples"))
+        self.assertNotEqual(drawn(kind="boxes"), drawn("--measure", "steps,length", kind="boxes"))
+
+    def test_what_would_be_ignored_or_is_unknown_is_refused(self):
+        for extra, kind, out, saying in ((["--measure", "steps"], "axes", "a.pdf", "--measure says nothing to axes"),
+                                         (["--starts", "all"], "map", "a.pdf", "--starts says nothing to map"),
+                                         (["--measure", "end"], "boxes", "a.pdf", "no box is drawn of end"),
+                                         (["--measure", "speed"], "boxes", "a.pdf", "is no measure of a rollout"),
+                                         (["--keep", "steps"], "axes", "a.pdf", "is no range of a measure"),
+                                         ([], "pie", "a.pdf", "is no plot of rollouts"),
+                                         ([], "axes", "a.csv", "drawn as .png, .svg or .pdf"),
+                                         (["--dpi", "300"], "axes", "a.pdf", "--dpi is of a .png"),
+                                         (["--preset", "poster"], "axes", "a.pdf", "no figure preset"),
+                                         (["--starts", "around"], "axes", "a.pdf", "file:F.csv")):
+            with self.subTest(kind=kind, extra=extra):
+                self.refused("rollout", "plot", self.project, "paper", *extra, "--kind", kind, "--out", self.folder / out,
+                             code=USAGE, saying=saying)
+                self.assertFalse((self.folder / out).exists())
+
+    def test_an_ending_in_capitals_is_the_same_kind_of_file(self):
+        self.answer("field", "export", self.project, "A exact", "--out", self.folder / "F.PNG")
+        self.assertTrue((self.folder / "F.PNG").read_bytes().startswith(b"\x89PNG"))
+        self.answer("demo", "plot", self.project, "Expert", "--dpi", "100", "--out", self.folder / "C.PNG")
+        self.assertTrue((self.folder / "C.PNG").read_bytes().startswith(b"\x89PNG"))
+        self.answer("model", "curve", self.project, "paper", "--out", self.folder / "C.Csv")
+        self.assertTrue((self.folder / "C.Csv").read_text().startswith("epoch,"))
+
+    def test_rollouts_are_the_same_numbers_in_csv_json_and_hdf5(self):
+        texts = {"end", "last_moves", "state_hash", "model_hash", "seed"}
+        base = ["rollout", "run", self.project, "paper", "--starts", "around:2"]
+        for erring in ([], ["--epsilon", "0.2", "--runs", "3"]):
+            for ending in ("csv", "json", "h5"):
+                self.answer(*base, *erring, "--out", self.folder / f"r.{ending}")
+            with open(self.folder / "r.csv", newline="") as file:
+                rows = list(csv.DictReader(file))
+            stored = json.loads((self.folder / "r.json").read_text())
+            self.assertEqual((stored["model"], stored["starts"]), ("paper", "around:2"))
+            self.assertEqual(stored["columns"], list(rows[0]))
+            self.assertEqual(len(stored["rollouts"]), len(rows))
+            with h5py.File(self.folder / "r.h5") as file:
+                self.assertEqual(file.attrs["model"], "paper")
+                self.assertEqual(set(file), set(rows[0]))
+                for name in rows[0]:
+                    column = file[name].asstr()[()] if name in texts else file[name][()]
+                    for row, one, value in zip(rows, stored["rollouts"], column):
+                        if name in texts:
+                            self.assertEqual((one[name], value), (row[name], row[name]))
+                        elif row[name] == "":
+                            self.assertIsNone(one[name])
+                            self.assertTrue(numpy.isnan(value))
+                        else:
+                            self.assertEqual((one[name], float(value)), (float(row[name]), float(row[name])))
+                self.assertEqual(file["steps"].dtype, numpy.int64)
+
+    def test_rollouts_of_the_simulator_are_such_files_too_but_only_a_csv_goes_on(self):
+        base = ["rollout", "physics", self.project, "A exact", "--starts", "cells:5566"]
+        for ending in ("csv", "json", "h5"):
+            self.answer(*base, "--out", self.folder / f"p.{ending}")
+        with open(self.folder / "p.csv", newline="") as file:
+            row, = csv.DictReader(file)
+        one, = json.loads((self.folder / "p.json").read_text())["rollouts"]
+        self.assertEqual((one["state_hash"], one["duration_s"]), (row["state_hash"], float(row["duration_s"])))
+        with h5py.File(self.folder / "p.h5") as file:
+            self.assertEqual(file["state_hash"].asstr()[0], row["state_hash"])
+            self.assertEqual(file["length_m"][0], float(row["length_m"]))
+        self.refused(*base, "--resume", "--out", self.folder / "p.json", code=USAGE, saying="only")
+
+    def test_ends_add_up_and_arrivals_are_told_by_step(self):
+        told = self.answer("rollout", "run", self.project, "paper", "--starts", "all", "--out", self.folder / "all.csv")
+        self.assertEqual(told["arrived"] + told["looped"] + told["dead_end"] + told["outside"], told["count"])
+        with open(self.folder / "all.csv", newline="") as file:
+            ends = collections.Counter(row["end"] for row in csv.DictReader(file))
+        self.assertEqual((ends["dead end"], ends["outside the safe set"]), (told["dead_end"], told["outside"]))
+        self.assertGreater(told["outside"], 0)
+        words = trocar("rollout", "run", self.project, "A exact", "--spread").stdout
+        self.assertRegex(words, r"arrived by step: .*\(100\.0 %\) within \d+ steps")
 
 
 class Numbers(CommandLineTest):

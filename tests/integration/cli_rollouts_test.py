@@ -77,6 +77,23 @@ class RolloutsTest(CommandLineTest):
             self.assertAlmostEqual(spread["median"], statistics.median(values), delta=1e-4)
         self.assertNotIn("arrivals_by_step", self.answer("rollout", "run", project, "paper", "--starts", "around:3"))
 
+    def test_the_band_is_that_of_the_rows(self):
+        project = self.with_paper()
+        out, band = self.folder / "out.csv", self.folder / "band.csv"
+        self.answer("rollout", "run", project, "paper", "--starts", "around:3", "--out", out, "--band", band)
+        steps = [int(row["steps"]) for row in rows_of(out)]
+        rows = rows_of(band)
+        self.assertEqual([int(row["step"]) for row in rows], list(range(len(rows))))
+        for row in rows:
+            going_on = sum(1 for one in steps if one >= int(row["step"]))
+            self.assertEqual(int(row["n"]), going_on)
+            self.assertAlmostEqual(float(row["share"]), going_on / len(steps), places=5)
+            values = [float(row[f"{name}_mm"]) for name in ("p05", "p25", "median", "p75", "p95")]
+            self.assertEqual(values, sorted(values))
+        self.assertLess(sum(1 for one in steps if one >= len(rows)), 5)
+        self.refused("rollout", "run", project, "paper", "--starts", "around:3", "--band", self.folder / "band.png",
+                     code=USAGE)
+
     def test_why_it_fails_and_where_two_part(self):
         project = self.with_paper()
         out = self.folder / "out.csv"

@@ -97,7 +97,8 @@ class Studies(CommandLineTest):
         out = self.folder / "none.png"
         start = ("view", "render", self.project, "Expert", "--model", "seed 5")
         self.refused(*start, "--also", "visits,fog=1", "--out", out, code=USAGE, saying="fog=1")
-        self.refused(*start, "--also", "visits,voxels=2", "--out", out, code=USAGE, saying="voxels=2")
+        self.refused(*start, "--also", "visits,voxels=2", "--out", out, code=USAGE,
+                     saying="a share of 0 to 1 after voxels=")
         self.refused(*start, "--mask", "odd", "--out", out, code=USAGE, saying="odd")
         self.assertFalse(out.exists())
 

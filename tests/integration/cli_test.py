@@ -295,7 +295,7 @@ class Learning(CommandLineTest):
         project = self.recorded_project()
         out = self.folder / "rollouts.csv"
         answer = self.answer("rollout", "run", project, "A exact", "--starts", "around:2", "--out", out)
-        self.assertEqual(answer["arrived"] + answer["looped"] + answer["dead_end"], answer["count"])
+        self.assertEqual(answer["arrived"] + answer["looped"] + answer["dead_end"] + answer["outside"], answer["count"])
         self.assertEqual([row["k"] for row in answer["around"]], [1, 2, 3, 4, 5])
         self.assertEqual(answer["around"][1]["arrived"], answer["arrived"])
         rows = read_rows(out)
@@ -412,16 +412,18 @@ class Pictures(CommandLineTest):
                 ([], ["--no-slices"], ["--scale", "rank"], ["--map", "magma"], ["--vision", "grey"], ["--slice", "x=3"],
                  ["--slab", "5"], ["--slab", "1,3,1"], ["--limits", "-3", "-1"], ["--glyphs", "best"], ["--glyphs", "stars"],
                  ["--no-slices", "--voxels", "0.5"], ["--no-slices", "--iso", "0.5"], ["--no-slices", "--volume"],
-                 ["--no-slices", "--volume", "--opacity", "0.3"], ["--no-slices", "--streamlines", "around:2"])):
+                 ["--no-slices", "--volume", "--opacity", "0.3"], ["--no-slices", "--volume", "--opacity-curve", "lowest"],
+                 ["--no-slices", "--volume", "--opacity-curve", "0:0/0.5:0.4/1:0"], ["--no-slices", "--streamlines", "around:2"])):
             out = self.folder / f"{n}.png"
             self.answer("view", "render", project, "1", "--size", "320x180", "--model", "A exact", "--layer", "reward", *drawing,
                         "--out", out)
             pictures.add(out.read_bytes())
-        self.assertEqual(len(pictures), 16)
+        self.assertEqual(len(pictures), 18)
         out = self.folder / "no.png"
         for wrong in (["--scale", "log10"], ["--map", "rainbow"], ["--vision", "dog"], ["--iso", "1.5"], ["--voxels", "-1"],
                       ["--glyphs", "hats"], ["--streamlines", "there"], ["--slab", "0"], ["--slab", "1,2"], ["--limits", "2", "1"],
                       ["--slice", "z=22"], ["--no-slices", "--slice", "z=2"], ["--layer", "safe", "--volume"],
+                      ["--volume", "--opacity-curve", "hill"], ["--opacity-curve", "ramp"],
                       ["--layer", "policy", "--iso", "0.5"]):
             self.refused("view", "render", project, "1", "--model", "A exact", *wrong, "--out", out, code=USAGE)
         self.refused("view", "render", project, "1", "--volume", "--out", out, code=USAGE)

@@ -202,6 +202,19 @@ WorkbenchState with_failures() {
   return state;
 }
 
+WorkbenchState with_cloud() {
+  WorkbenchState state = testing::made_state_with_model();
+  state.field.volume = true;
+  state.field.opacity_curve = plot::OpacityCurve{{{0.0, 0.05}, {0.55, 0.1}, {0.8, 0.7}, {1.0, 1.0}}};
+  return state;
+}
+
+WorkbenchState with_brush() {
+  WorkbenchState state = with_failures();
+  state.rollouts.brushed = {{learning::RolloutMeasure::kSteps, 12.0, 20.0}};
+  return state;
+}
+
 void type_in_palette(Driver& driver, WorkbenchState&) {
   REQUIRE(driver.key("Ctrl+P"));
   REQUIRE(driver.frames(3));
@@ -233,9 +246,13 @@ std::vector<Scene> scenes() {
            testing::made_state_with_two_models(),
            open("Fields/Mode/Montage"),
            {640, 900}},
+          {"fields_cloud", PanelId::kFields, with_cloud(), {}, {640, 900}},
+          {"rollouts_spread", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Spread"), {640, 1100}},
+          {"rollouts_brushed", PanelId::kRollouts, with_brush(), open("Rollouts/Page/Table"), {640, 900}},
           {"rollouts_map", PanelId::kRollouts, with_failures(), {}, {640, 1100}},
           {"rollouts_table", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Table"), {640, 900}},
           {"rollouts_paths", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Paths"), {640, 1100}},
+          {"rollouts_spread", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Spread"), {640, 900}},
           {"rollouts_pair", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Two models"), {640, 900}}};
 }
 

@@ -81,8 +81,9 @@ class Story(CommandLineTest):
         # The same bytes as the command line's.
         typed = self.folder / "typed.csv"
         self.answer("rollout", "run", project, "paper", "--starts", "around:3", "--epsilon", "0.1", "--runs", "50",
-                    "--seed", "1", "--out", typed)
+                    "--seed", "1", "--out", typed, "--band", self.folder / "typed_band.csv")
         self.assertEqual((self.folder / "window.csv").read_bytes(), typed.read_bytes())
+        self.assertEqual((self.folder / "band.csv").read_bytes(), (self.folder / "typed_band.csv").read_bytes())
         # The correction begins in the cell that failed, and all of it on the way to the block has its label.
         out = self.folder / "corrective.csv"
         self.answer("demo", "export", project, "Corrective 1", out)
@@ -124,17 +125,17 @@ wait idle 60
 click "Rollouts/Page/Chance"
 frames 3
 click "Rollouts/Export/Rows/Simulator"
-expect "Rollouts/Export/Export CSV" disabled
+expect "Rollouts/Export/Export" disabled
 type "Rollouts/In the simulator/Seed" 5
 click "Rollouts/In the simulator/Simulate"
 wait idle 300
 type "Rollouts/Export/File" "simulated.csv"
-expect "Rollouts/Export/Export CSV" enabled
-click "Rollouts/Export/Export CSV"
+expect "Rollouts/Export/Export" enabled
+click "Rollouts/Export/Export"
 wait idle 60
 click "Rollouts/Export/Rows/Exact"
 type "Rollouts/Export/File" "greedy.csv"
-click "Rollouts/Export/Export CSV"
+click "Rollouts/Export/Export"
 wait idle 60
 """)
         starts = ("--starts", "box:10-11,12-12,18-18")

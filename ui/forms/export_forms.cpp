@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <system_error>
 
+#include "engine/figure/field_figure.h"
 #include "ui/command_table.h"
 #include "ui/icons.h"
 
@@ -18,28 +18,12 @@ constexpr std::array<std::string_view, 7> kFieldEndings{".png", ".svg", ".pdf", 
 constexpr int kDrawnEndings = 3;
 constexpr int kWholeEndings = 5;
 
-std::string beside(const WorkbenchState& state, std::string_view ending) {
-  std::filesystem::path path = state.path;
-  path.replace_extension();
-  return path.string() + std::string(ending);
-}
-
 // A demonstration's name as a file's: letters that a folder or a shell would take for its own become "-".
 std::string file_name(std::string name) {
   constexpr std::string_view kUnfit = "/\\:*?\"<>|";
   std::replace_if(
       name.begin(), name.end(), [&](char c) { return kUnfit.find(c) != std::string_view::npos || c == '\0'; }, '-');
   return name.empty() || name.starts_with(".") ? "film" : name;
-}
-
-// Says so before a file is replaced.
-bool export_button(Ui& ui, const char* sign, const std::string& path, const std::string& reason) {
-  std::error_code error;
-  const bool exists = !path.empty() && std::filesystem::exists(path, error);
-  if (exists) wrapped_text(ui, "There is such a file already", ui.theme().warning);
-  return button(
-      ui, exists ? "Replace the file" : "Export",
-      {.icon = sign, .reason = reason, .width = -1.0F, .style = exists ? ButtonStyle::kDanger : ButtonStyle::kPrimary});
 }
 
 }  // namespace
@@ -119,14 +103,19 @@ Requests VideoForm::draw_content(Ui& ui, const WorkbenchState& state) {
 }
 
 void FieldForm::prepare(const WorkbenchState& state) {
-  path_ = beside(state, fmt::format("-{}.png", learning::to_string(state.field.layer)));
-  slice_ = "z=11";
+  path_ = beside_project(state, fmt::format("-{}.png", learning::to_string(state.field.layer)));
+  if (!shown_slice_.empty()) {
+    slice_ = shown_slice_;
+  } else {
+    // As the panel Fields shows it at first: in the view, or through the goal.
+    const bool known = state.insight && state.insight->entry;
+    const int goal = known ? state.insight->entry->model->grid.coordinates(state.insight->entry->model->goal).z : 11;
+    slice_ = fmt::format("z={}", state.field.slices[2] >= 0 ? state.field.slices[2] : goal);
+  }
 }
 
 int FieldForm::kind_of_file() const {
-  const std::string ending = std::filesystem::path(path_).extension().string();
-  const auto found = std::find(kFieldEndings.begin(), kFieldEndings.end(), ending);
-  return found == kFieldEndings.end() ? -1 : static_cast<int>(found - kFieldEndings.begin());
+  return place_of_ending(path_, kFieldEndings);
 }
 
 void FieldForm::draw_subject(Ui& ui, const WorkbenchState& state) {
@@ -145,23 +134,17 @@ void FieldForm::draw_subject(Ui& ui, const WorkbenchState& state) {
   combo(ui, "Field", subject_, names, {.help = "The layer in the panel Fields, or what two models differ in"});
 }
 
-void FieldForm::draw_paper(Ui& ui, int file) {
-  static const std::vector<std::string> kPapers{"Screen", "88 mm", "180 mm"};
-  const bool drawn = file >= 0 && file < kDrawnEndings;
-  const std::string numbers = drawn ? "" : "This file holds numbers";
-  form_label(ui, "Width");
-  segmented(ui, "Width", paper_, kPapers,
-            {.help = "One column of a page, or the whole page, with letters of 8 pt", .reason = numbers});
-  const std::string no_pixels = !drawn        ? numbers
-                                : file != 0   ? "A drawing has no pixels"
-                                : paper_ == 0 ? "Choose a width on paper first"
-                                              : "";
-  form_label(ui, "Pixels an inch");
-  number_field(ui, "Pixels an inch", dpi_, 72, 2400, {.help = "From 72 to 2400", .reason = no_pixels});
+std::string FieldForm::reason(const WorkbenchState& state) const {
+  const int file = kind_of_file();
+  if (std::string why = command("file.export_field").reason_now(state); !why.empty()) return why;
+  if (std::string why = reason_against_path(path_, state); !why.empty()) return why;
+  if (file < 0) return "Choose a kind of file";
+  if (kind_ == 0 || file >= kWholeEndings || !state.insight || !state.insight->entry) return "";
+  const auto slice = figure::slice_from(slice_, state.insight->entry->model->grid);
+  return slice ? "" : slice.error().text();
 }
 
 workbench::ExportField FieldForm::wanted(const WorkbenchState& state) const {
-  constexpr std::array<const char*, 3> kPresets{"", "column", "page"};
   workbench::ExportField field;
   field.model = state.model;
   field.layer = state.field.layer;
@@ -181,8 +164,8 @@ workbench::ExportField FieldForm::wanted(const WorkbenchState& state) const {
     field.look.limits = state.field.limits;
   }
   field.look.vision = state.field.vision;
-  field.look.preset = kPresets[static_cast<std::size_t>(paper_)];
-  if (file == 0 && paper_ > 0) field.look.dpi = static_cast<double>(dpi_);
+  field.look.preset = paper_.preset();
+  if (file == 0 && paper_.paper > 0) field.look.dpi = static_cast<double>(paper_.dpi);
   return field;
 }
 
@@ -203,14 +186,14 @@ Requests FieldForm::draw_content(Ui& ui, const WorkbenchState& state) {
   form_label(ui, "Slice");
   const std::string no_slice = !whole.empty() ? whole : kind_ == 0 ? "All slices along z are drawn" : "";
   text_field(ui, "Slice", slice_, "z=11", {.help = "x=, y= or z= and the index of the cells", .reason = no_slice});
-  draw_paper(ui, file);
+  draw_paper(ui, paper_, file >= 0 && file < kDrawnEndings, file == 0);
   form_label(ui, "File");
   text_field(ui, "File", path_, "field.png", {.help = "Its ending says what kind it is"});
   ImGui::Dummy({0.0F, ui.px(6)});
-  const std::string reason = path_.empty() ? "Type a file name"
-                             : file < 0    ? "Choose a kind of file"
-                                           : command("file.export_field").reason_now(state);
-  if (!export_button(ui, icon::kDownload, path_, reason)) return {};
+  const std::string why = reason(state);
+  // What is wrong is said while it can be mended.
+  if (!why.empty()) wrapped_text(ui, why, ui.theme().text_dim);
+  if (!export_button(ui, icon::kDownload, path_, why)) return {};
   close();
   return {workbench::Command{wanted(state)}, ShowPanel{PanelId::kJobs}};
 }

@@ -1,10 +1,11 @@
 /// Ask where a film or a figure shall be written, and how large.
 #pragma once
 
-#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "ui/forms/export_parts.h"
 #include "ui/forms/form.h"
 
 namespace trocar::ui {
@@ -33,6 +34,13 @@ class VideoForm final : public Form {
 };
 
 class FieldForm final : public Form {
+ public:
+  /// On the slice that a panel shows, "z=11"; "": none is shown.
+  void open_on(std::string slice) {
+    shown_slice_ = std::move(slice);
+    open();
+  }
+
  protected:
   std::string_view title() const override { return "Export field"; }
   float width() const override { return 500.0F; }
@@ -43,15 +51,15 @@ class FieldForm final : public Form {
   /// Where in the list of kinds of file, as the path says; −1: none of them.
   int kind_of_file() const;
   void draw_subject(Ui& ui, const WorkbenchState& state);
-  void draw_paper(Ui& ui, int file);
+  std::string reason(const WorkbenchState& state) const;
   workbench::ExportField wanted(const WorkbenchState& state) const;
 
   std::string path_;
   std::string slice_;
+  std::string shown_slice_;
   int kind_ = 0;
   int subject_ = 0;  ///< 0: the field; else a contrast of the two models.
-  int paper_ = 0;    ///< 0: for a screen; else a preset.
-  std::int64_t dpi_ = 300;
+  PaperChoice paper_;
 };
 
 }  // namespace trocar::ui

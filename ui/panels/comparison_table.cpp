@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/statistics/proportion.h"
 #include "ui/format.h"
 
 namespace trocar::ui {
@@ -74,9 +75,9 @@ std::vector<Row> rows_of(const workbench::ModelInsight& insight) {
 }  // namespace
 
 std::string policy_change_words(const learning::ModelComparison& comparison, int cells) {
-  return fmt::format("policy changed in {} cells ({:.1f} %); of {} that both know, in {}",
-                     count(comparison.policy_changed), 100.0 * comparison.policy_changed / std::max(cells, 1),
-                     count(comparison.policy_compared), count(comparison.policy_differs));
+  return fmt::format("policy changed in {} cells ({}); of {} that both know, in {}", count(comparison.policy_changed),
+                     statistics::percent_text(comparison.policy_changed, cells, 1), count(comparison.policy_compared),
+                     count(comparison.policy_differs));
 }
 
 void comparison_table(Ui& ui, const workbench::ModelInsight& insight) {

@@ -115,12 +115,13 @@ bool choose_drawings(Ui& ui, const FieldShading& shading, FieldSettings& setting
   const std::string_view reason = shading.field().categorical ? "Classes have neither surface nor volume" : "";
   bool changed = checkbox(ui, "Voxels", settings.voxels, {.help = "Draw the cells above the threshold as small cubes"});
   changed |= flag(ui, "Surface", settings.iso_surface, "Draw where the field has one value", reason);
-  changed |= flag(ui, "Volume", settings.volume, "Draw the field as a cloud, thick where it is strong", reason);
+  changed |= flag(ui, "Volume", settings.volume, "Draw the field as a cloud, as thick as its curve says", reason);
   changed |= flag(ui, "Streamlines", settings.streamlines, "Draw where the greedy policy leads");
   return changed;
 }
 
-bool choose_details(Ui& ui, const WorkbenchState& state, FieldSettings& settings) {
+bool choose_details(Ui& ui, const WorkbenchState& state, const FieldShading& shading, OpacityEditor& opacity,
+                    FieldSettings& settings) {
   bool changed = false;
   if (settings.voxels) {
     form_label(ui, "Threshold");
@@ -130,6 +131,9 @@ bool choose_details(Ui& ui, const WorkbenchState& state, FieldSettings& settings
   if (settings.iso_surface) {
     form_label(ui, "Level");
     changed |= share_slider(ui, "Level", settings.iso_level, "%.2f of the scale", "Where the surface is");
+  }
+  if (settings.volume && !shading.field().categorical) {
+    changed |= opacity.draw(ui, shading, settings.opacity_curve);
   }
   if (settings.streamlines) {
     form_label(ui, "From");
@@ -142,8 +146,8 @@ bool choose_details(Ui& ui, const WorkbenchState& state, FieldSettings& settings
 
 }  // namespace
 
-void draw_field_controls(Ui& ui, const WorkbenchState& state, const FieldShading& shading, bool& montage,
-                         Requests& requests) {
+void draw_field_controls(Ui& ui, const WorkbenchState& state, const FieldShading& shading, OpacityEditor& opacity,
+                         bool& montage, Requests& requests) {
   FieldSettings settings = state.field;
   form_label(ui, "Layer");
   if (choose(ui, "Layer", settings.layer, learning::all_layers(), {.help = "What is shown over the lattice"})) {
@@ -164,7 +168,7 @@ void draw_field_controls(Ui& ui, const WorkbenchState& state, const FieldShading
   ImGui::BeginGroup();
   choose_drawings(ui, shading, settings);
   ImGui::EndGroup();
-  choose_details(ui, state, settings);
+  choose_details(ui, state, shading, opacity, settings);
   form_label(ui, "On slices");
   ImGui::BeginGroup();
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ui.px(14));

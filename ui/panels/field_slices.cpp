@@ -66,6 +66,12 @@ void FieldSlices::update(const WorkbenchState& state) {
   }
 }
 
+std::string FieldSlices::focused() const {
+  if (n_ == 0) return "";
+  const auto axis = static_cast<std::size_t>(focus_ < 0 ? 2 : focus_);
+  return fmt::format("{}={}", kAxisNames[axis], index_[axis]);
+}
+
 void FieldSlices::move_to(const spatial::CellCoordinates& cell, const WorkbenchState& state, Requests& requests) {
   workbench::FieldSettings settings = state.field;
   for (int axis = 0; axis < 3; ++axis) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "ui/panel.h"
 #include "ui/panels/field_shading.h"
@@ -27,6 +28,8 @@ class FieldSlices {
   const std::optional<spatial::CellCoordinates>& pinned() const { return pinned_; }
   /// Only this one is shown, large; the same once more: all three.
   void focus(int axis) { focus_ = focus_ == axis ? -1 : axis; }
+  /// The large one, or else that along z: "z=11"; "" before any was shown.
+  std::string focused() const;
   /// What is left beside the last slice; false: the probe goes below.
   bool beside() const { return beside_; }
 

@@ -41,7 +41,7 @@ void draw_nothing(Ui& ui, const WorkbenchState& state, Requests& requests) {
 
 }  // namespace
 
-bool FieldsPanel::claims(const Chord& chord, const WorkbenchState& state) {
+bool FieldsPanel::claims(const Ui&, const Chord& chord, const WorkbenchState& state) const {
   if (!has_field(state)) return false;
   return chord == copy_chord() || std::find(kFocusKeys.begin(), kFocusKeys.end(), chord) != kFocusKeys.end();
 }
@@ -83,7 +83,7 @@ Requests FieldsPanel::draw(Ui& ui, const WorkbenchState& state) {
   if (pinned_of_ != state.model) probe_.forget();
   pinned_of_ = state.model;
   take_keys(ui, state, requests);
-  draw_field_controls(ui, state, shading_, montage_, requests);
+  draw_field_controls(ui, state, shading_, opacity_, montage_, requests);
   const spatial::CellCoordinates at = slices_.hovered().value_or(slices_.at());
   const spatial::CellIndex cell = shading_.field().grid.index(at);
   ImGui::Dummy({0.0F, ui.px(2)});

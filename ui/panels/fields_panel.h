@@ -5,15 +5,16 @@
 #include "ui/panels/field_probe.h"
 #include "ui/panels/field_shading.h"
 #include "ui/panels/field_slices.h"
-#include "ui/shortcut.h"
+#include "ui/panels/opacity_editor.h"
 
 namespace trocar::ui {
 
 class FieldsPanel final : public Panel {
  public:
   Requests draw(Ui& ui, const WorkbenchState& state) override;
+  std::string shown_slice() const override { return slices_.focused(); }
   /// Keys that are this panel's while the pointer is over it and a field is shown: X, Y, Z and Ctrl+C.
-  static bool claims(const Chord& chord, const WorkbenchState& state);
+  bool claims(const Ui& ui, const Chord& chord, const WorkbenchState& state) const override;
 
  private:
   void take_keys(Ui& ui, const WorkbenchState& state, Requests& requests);
@@ -22,6 +23,7 @@ class FieldsPanel final : public Panel {
   FieldShading shading_;
   FieldSlices slices_;
   FieldProbe probe_;
+  OpacityEditor opacity_;
   bool montage_ = false;
   workbench::ModelId pinned_of_;
 };

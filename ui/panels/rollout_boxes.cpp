@@ -3,79 +3,96 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
+#include "engine/figure/outcome_colours.h"
+#include "engine/figure/rollout_figure.h"
 #include "ui/format.h"
+#include "ui/panels/rollout_brush.h"
 #include "ui/panels/rollout_parts.h"
 
 namespace trocar::ui {
 namespace {
 
 using learning::RolloutEnd;
+using learning::RolloutMeasure;
 
 constexpr std::size_t kMostDots = 120;
-constexpr std::array<RolloutEnd, 4> kEnds{RolloutEnd::kArrives, RolloutEnd::kLoops, RolloutEnd::kDeadEnd,
-                                          RolloutEnd::kOutsideSafeSet};
-constexpr std::array<std::string_view, 4> kEndNames{"arrives", "loops", "dead end", "outside"};
+constexpr int kEndCount = static_cast<int>(RolloutEnd::kOutsideSafeSet) + 1;
 
-std::string spread_words(const learning::Spread& spread) {
-  return fmt::format("{}: {} to {}, middle {}, half in {} to {}", count(spread.count), millimetres(spread.least),
-                     millimetres(spread.most), millimetres(spread.median), millimetres(spread.low),
-                     millimetres(spread.high));
+/// What boxes are drawn of, in the order of the table.
+const std::vector<RolloutMeasure>& boxed() {
+  static const std::vector<RolloutMeasure> kBoxed = [] {
+    std::vector<RolloutMeasure> measures;
+    for (int i = 0; i < learning::kRolloutMeasures; ++i) {
+      if (figure::has_boxes(static_cast<RolloutMeasure>(i))) measures.push_back(static_cast<RolloutMeasure>(i));
+    }
+    return measures;
+  }();
+  return kBoxed;
+}
+
+std::string spread_words(RolloutMeasure measure, const learning::Spread& spread) {
+  const auto words = [measure](double value) { return measure_words(measure, value); };
+  return fmt::format("{}: {} to {}, middle {}, half in {} to {}", count(spread.count), words(spread.least),
+                     words(spread.most), words(spread.median), words(spread.low), words(spread.high));
 }
 
 }  // namespace
 
-void RolloutBoxes::add_rows(const std::vector<learning::Rollout>& rollouts, const std::string& before) {
-  for (std::size_t i = 0; i < kEnds.size(); ++i) {
+void RolloutBoxes::add_rows(const std::vector<learning::Rollout>& rollouts, const workbench::ModelInsight& insight,
+                            const std::string& before) {
+  for (int i = 0; i < kEndCount; ++i) {
     Row row;
-    row.end = kEnds[i];
-    row.spread = learning::worst_deviations_m(rollouts, row.end);
-    if (row.spread.count == 0) continue;
-    row.name = before + std::string(kEndNames[i]);
-    if (before.empty()) row.name[0] = static_cast<char>(row.name[0] - 'a' + 'A');
-    const std::size_t all = static_cast<std::size_t>(row.spread.count);
-    const std::size_t dots = std::min(all, kMostDots);
-    std::size_t seen = 0;
+    row.end = static_cast<RolloutEnd>(i);
+    std::vector<double> values;
     for (const learning::Rollout& rollout : rollouts) {
       if (rollout.end != row.end) continue;
-      // Every all/dots-th of them.
-      if (seen * dots / all != (seen + 1) * dots / all) row.points.push_back(rollout.max_deviation_m);
-      ++seen;
+      const double value = learning::measure(rollout, measure_, insight.entry->model->grid, clearance_of(insight));
+      const bool never = measure_ == RolloutMeasure::kDivergence && value < 0.0;
+      if (std::isfinite(value) && !never) values.push_back(value);
     }
+    row.spread = learning::spread_of(values);
+    if (row.spread.count == 0) continue;
+    row.name = before + std::string(figure::outcome_word(row.end));
+    if (before.empty()) row.name[0] = static_cast<char>(row.name[0] - 'a' + 'A');
+    const std::size_t dots = std::min(values.size(), kMostDots);
+    for (std::size_t n = 0; n < dots; ++n) row.points.push_back(values[n * values.size() / dots]);
     rows_.push_back(std::move(row));
   }
 }
 
 void RolloutBoxes::update(const workbench::ModelInsight& insight) {
   const Rollouts second = insight.second ? insight.second->listed : nullptr;
-  if (of_ == insight.listed && second_of_ == second) return;
+  if (of_ == insight.listed && second_of_ == second && drawn_ == measure_) return;
   of_ = insight.listed;
   second_of_ = second;
+  drawn_ = measure_;
   rows_.clear();
-  add_rows(*of_, second ? "A " : "");
-  if (second) add_rows(*second, "B ");
+  add_rows(*of_, insight, second ? "A " : "");
+  if (second) add_rows(*second, insight, "B ");
 }
 
-void RolloutBoxes::draw_row(Ui& ui, const Row& row, double most_m) const {
-  const auto [words, colour] = end_words(ui.theme(), row.end);
-  const std::string value = spread_words(row.spread);
+void RolloutBoxes::draw_row(Ui& ui, const Row& row, double low, double high) const {
+  const Rgba colour = figure::outcome_colour(row.end);
+  const std::string value = spread_words(measure_, row.spread);
   const float height = std::max(ui.px(24), ImGui::GetTextLineHeight());
   chart_area(ui, row.name, {ImGui::GetContentRegionAvail().x, height}, value, {.help = value});
   const Rect rect = item_rect();
-  const std::string middle = fmt::format("{:.1f}", 1e3 * row.spread.median);
+  const std::string middle = number(row.spread.median * learning::words_of(measure_).scale);
   const float name_width = ui.px(116);
-  const float numbers = ImGui::CalcTextSize("00.0").x;
+  const float numbers = ImGui::CalcTextSize("−0.000").x;
   const Rect area{rect.x0 + name_width, rect.y0 + ui.px(3), rect.x1 - numbers - ui.px(10), rect.y1 - ui.px(3)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float text_y = rect.centre_y() - 0.5F * ImGui::GetFontSize();
-  const std::string sign = words.substr(0, words.find(' '));
-  list.AddText({rect.x0, text_y}, to_u32(colour), sign.c_str());
+  list.AddText({rect.x0, text_y}, to_u32(colour), end_sign(row.end));
   list.AddText({rect.x0 + ui.px(24), text_y}, to_u32(ui.theme().text), row.name.c_str());
   list.AddText({rect.x1 - ImGui::CalcTextSize(middle.c_str()).x, text_y}, to_u32(ui.theme().text), middle.c_str());
   if (area.width() < ui.px(24)) return;
   list.AddRectFilled({area.x0, area.y0}, {area.x1, area.y1}, to_u32(ui.theme().header));
-  const auto x_of = [&](double value_m) { return area.x0 + static_cast<float>(value_m / most_m) * area.width(); };
+  const auto x_of = [&](double at) {
+    return area.x0 + static_cast<float>((at - low) / std::max(high - low, 1e-12)) * area.width();
+  };
   const float y = area.centre_y();
   for (std::size_t i = 0; i < row.points.size(); ++i) {
     // Spread over the height by their place, so that equal ones are seen.
@@ -92,19 +109,36 @@ void RolloutBoxes::draw_row(Ui& ui, const Row& row, double most_m) const {
 }
 
 void RolloutBoxes::draw(Ui& ui, const workbench::ModelInsight& insight) {
-  const Scope scope(ui, "Worst deviation");
+  const Scope scope(ui, "Boxes");
+  static const std::vector<std::string> kTitles = [] {
+    std::vector<std::string> titles;
+    for (const RolloutMeasure measure : boxed()) titles.emplace_back(learning::words_of(measure).title);
+    return titles;
+  }();
+  heading(ui, "Where the measures lie");
+  auto chosen = static_cast<int>(std::find(boxed().begin(), boxed().end(), measure_) - boxed().begin());
+  form_label(ui, "Measure");
+  if (combo(ui, "Measure", chosen, kTitles, {.help = "Of the listed rollouts, by how they end"})) {
+    measure_ = boxed()[static_cast<std::size_t>(chosen)];
+  }
   update(insight);
-  heading(ui, "Worst deviation from the expert");
   if (rows_.empty()) {
-    wrapped_text(ui, "There are no rollouts", ui.theme().text_dim);
+    wrapped_text(ui, "No rollout has such a value", ui.theme().text_dim);
     return;
   }
-  double most_m = 1e-4;
-  for (const Row& row : rows_) most_m = std::max(most_m, row.spread.most);
+  // Zero is always there, so that lengths are compared by eye.
+  double low = 0.0;
+  double high = 0.0;
+  for (const Row& row : rows_) {
+    low = std::min(low, row.spread.least);
+    high = std::max(high, row.spread.most);
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, ui.px(2)});
-  for (const Row& row : rows_) draw_row(ui, row, most_m);
+  for (const Row& row : rows_) draw_row(ui, row, low, high);
   ImGui::PopStyleVar();
-  small_text(ui, fmt::format("0 to {:.1f} mm; box: the middle half, bar and number: the middle one", 1e3 * most_m),
+  small_text(ui,
+             fmt::format("{} to {}; box: the middle half, bar and number: the middle one", measure_words(measure_, low),
+                         measure_words(measure_, high)),
              ui.theme().text_dim);
 }
 

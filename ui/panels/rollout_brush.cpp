@@ -20,6 +20,23 @@ void RolloutBrush::update(const workbench::ModelInsight& insight) {
   sift();
 }
 
+void RolloutBrush::take(const std::vector<learning::RolloutRange>& ranges) {
+  if (ranges == this->ranges()) return;
+  ranges_ = {};
+  for (const learning::RolloutRange& one : ranges) {
+    ranges_[static_cast<std::size_t>(one.measure)] = Range{one.low, one.high};
+  }
+  sift();
+}
+
+std::vector<learning::RolloutRange> RolloutBrush::ranges() const {
+  std::vector<learning::RolloutRange> ranges;
+  for (std::size_t m = 0; m < ranges_.size(); ++m) {
+    if (ranges_[m]) ranges.push_back({static_cast<RolloutMeasure>(m), (*ranges_[m])[0], (*ranges_[m])[1]});
+  }
+  return ranges;
+}
+
 const std::vector<double>& RolloutBrush::values(RolloutMeasure measure) const {
   return values_[static_cast<std::size_t>(measure)];
 }

@@ -19,6 +19,9 @@ class RolloutBrush {
 
   /// Takes other rollouts in; the ranges stay. Before anything else of it is asked, in each frame.
   void update(const workbench::ModelInsight& insight);
+  /// These ranges from now on: those of `RolloutSettings::brushed`.
+  void take(const std::vector<learning::RolloutRange>& ranges);
+  std::vector<learning::RolloutRange> ranges() const;  ///< By measure.
 
   /// By the place in `ModelInsight::listed`; NaN for what is not known, which no range holds.
   const std::vector<double>& values(learning::RolloutMeasure measure) const;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/figure/outcome_colours.h"
 #include "engine/workbench/rolling.h"
 #include "ui/format.h"
 #include "ui/icons.h"
@@ -45,7 +46,6 @@ std::array<std::string, learning::kRolloutMeasures - 2> cells_of(const Rollout& 
 void table_row(Ui& ui, const WorkbenchState& state, const Rollout& rollout, Requests& requests) {
   const workbench::ModelInsight& insight = *state.insight;
   const std::string label = start_words(insight.entry->model->grid, rollout.start);
-  const auto [words, colour] = end_words(ui.theme(), rollout.end);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushID(rollout.start.value);
@@ -57,10 +57,7 @@ void table_row(Ui& ui, const WorkbenchState& state, const Rollout& rollout, Requ
   ImGui::TextUnformatted(label.c_str());
   ImGui::PopID();
   ImGui::TableNextColumn();
-  {
-    const ColourScope tint(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(words.c_str());
-  }
+  end_text(ui, rollout.end);
   for (const std::string& text_of_cell : cells_of(rollout, insight)) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(text_of_cell.c_str());
@@ -117,7 +114,7 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
   const learning::Model& model = *state.insight->entry->model;
   const Scope scope(ui, start_words(model.grid, rollout.start));
   ImGui::BeginGroup();
-  const auto [words, colour] = end_words(ui.theme(), rollout.end);
+  const Rgba colour = figure::outcome_colour(rollout.end);
   chart_area(ui, "Rollout", {side, side}, mini_words(rollout, measure, state.rollouts),
              {.help = "From the side: y to the right, z up; the expert's way is grey"});
   const bool clicked = ImGui::IsItemClicked();
@@ -138,8 +135,13 @@ bool mini_view(Ui& ui, const WorkbenchState& state, const Rollout& rollout, floa
   if (!state.rollouts.reach) list.AddCircleFilled(start, ui.px(3), to_u32(ui.theme().text), 12);
   {
     const FontScope font(ui.fonts().small);
-    const std::string sign = words.substr(0, words.find(' '));
-    ImGui::TextUnformatted(fitted(fmt::format("{} {}", sign, measure), side).c_str());
+    {
+      const ColourScope tint(ImGuiCol_Text, colour);
+      ImGui::TextUnformatted(end_sign(rollout.end));
+    }
+    ImGui::SameLine(0.0F, ui.px(4));
+    const float used = ImGui::CalcTextSize(end_sign(rollout.end)).x + ui.px(4);
+    ImGui::TextUnformatted(fitted(std::string(measure), side - used).c_str());
   }
   ImGui::EndGroup();
   return clicked;
@@ -221,54 +223,13 @@ void RolloutMultiples::draw(Ui& ui, const WorkbenchState& state, RolloutBrush& b
   }
 }
 
-void draw_deviation_band(Ui& ui, const workbench::ModelInsight& insight) {
-  const Scope scope(ui, "Deviation");
-  heading(ui, "Deviation from the expert");
-  const learning::DeviationBand& band = insight.band;
-  if (band.median.size() < 2) {
-    wrapped_text(ui, fmt::format("Needs {} rollouts of some steps", learning::kLeastInBand), ui.theme().text_dim);
-    return;
-  }
-  const std::size_t last = band.median.size() - 1;
-  const double most_m = std::max(*std::max_element(band.high.begin(), band.high.end()), 1e-4);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ui.px(110);
-  const float width = ImGui::GetContentRegionAvail().x;
-  const float foot = ui.fonts().small->FontSize + ui.px(2);
-  const float left = ui.px(44);
-  const Rect area{at.x + left, at.y + ui.px(4), at.x + width - ui.px(4), at.y + height - foot};
-  const float mouse = std::clamp((ImGui::GetIO().MousePos.x - area.x0) / area.width(), 0.0F, 1.0F);
-  const bool inside =
-      Rect{at.x, at.y, at.x + width, at.y + height}.contains(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
-  const std::size_t step = inside ? static_cast<std::size_t>(std::lround(mouse * static_cast<float>(last))) : 0;
-  const std::string value =
-      fmt::format("step {}: median {}, 90 % in {} to {}, {} go on", step, millimetres(band.median[step]),
-                  millimetres(band.low[step]), millimetres(band.high[step]), count(band.count[step]));
-  chart_area(ui, "Band", {width, height}, value,
-             {.help = "The middle rollout, and where 90 % of them are, step by step"});
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const auto point = [&](std::size_t i, double value_m) {
-    return ImVec2{area.x0 + static_cast<float>(i) / static_cast<float>(last) * area.width(),
-                  area.y1 - static_cast<float>(value_m / most_m) * area.height()};
-  };
-  list.AddRectFilled({area.x0, area.y0}, {area.x1, area.y1}, to_u32(ui.theme().header));
-  std::vector<ImVec2> middle;
-  for (std::size_t i = 0; i <= last; ++i) {
-    middle.push_back(point(i, band.median[i]));
-    if (i == last) break;
-    list.AddQuadFilled(point(i, band.high[i]), point(i + 1, band.high[i + 1]), point(i + 1, band.low[i + 1]),
-                       point(i, band.low[i]), to_u32(ui.theme().accent, 0.30F));
-  }
-  list.AddPolyline(middle.data(), static_cast<int>(middle.size()), to_u32(ui.theme().accent), 0, ui.px(2));
-  if (inside) list.AddLine({point(step, 0.0).x, area.y0}, {point(step, 0.0).x, area.y1}, to_u32(ui.theme().text_dim));
-  const FontScope font(ui.fonts().small);
-  const ImU32 dim = to_u32(ui.theme().text_dim);
-  list.AddText({at.x, area.y0}, dim, fmt::format("{:.1f}", 1e3 * most_m).c_str());
-  list.AddText({at.x, area.y1 - ui.fonts().small->FontSize}, dim, "0 mm");
-  list.AddText({area.x0, area.y1 + ui.px(1)}, dim, "step 0");
-  const std::string end = fmt::format("step {}", last);
-  list.AddText({area.x1 - ImGui::CalcTextSize(end.c_str()).x, area.y1 + ui.px(1)}, dim, end.c_str());
-  wrapped_text(ui, value, ui.theme().text_dim);
+workbench::PlotSettings RolloutMultiples::plot() const {
+  workbench::PlotSettings settings;
+  settings.kind = workbench::PlotKind::kMultiples;
+  settings.by = static_cast<RolloutMeasure>(by_);
+  settings.descending = descending_;
+  settings.columns = columns_;
+  return settings;
 }
 
 }  // namespace trocar::ui

@@ -1,4 +1,4 @@
-/// The rollouts one by one: a table of all measures, small pictures in order of one of them, and how far they stray.
+/// The rollouts one by one: a table of all measures, and small pictures in order of one of them.
 #pragma once
 
 #include <memory>
@@ -39,6 +39,8 @@ class RolloutTable {
 class RolloutMultiples {
  public:
   void draw(Ui& ui, const WorkbenchState& state, RolloutBrush& brush, Requests& requests);
+  /// These pictures as a figure.
+  workbench::PlotSettings plot() const;
 
  private:
   RolloutOrder order_;
@@ -46,8 +48,5 @@ class RolloutMultiples {
   bool descending_ = true;
   int columns_ = 4;
 };
-
-/// Distance from the expert step by step: the middle rollout and where 90 % lie.
-void draw_deviation_band(Ui& ui, const workbench::ModelInsight& insight);
 
 }  // namespace trocar::ui

@@ -66,6 +66,10 @@ std::shared_ptr<const learning::Field> RolloutMap::field(Ui& ui, const Workbench
   return chosen;
 }
 
+std::string RolloutMap::slice() const {
+  return fmt::format("{}={}", kAxes[static_cast<std::size_t>(axis_)], index_);
+}
+
 void RolloutMap::brush(const spatial::Grid& grid, const spatial::CellCoordinates& middle) {
   const SliceAxes axes = slice_axes(axis_);
   for (int du = -radius_ + 1; du < radius_; ++du) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "ui/panel.h"
 #include "ui/panels/field_shading.h"
@@ -11,6 +12,8 @@ namespace trocar::ui {
 class RolloutMap {
  public:
   void draw(Ui& ui, const WorkbenchState& state, Requests& requests);
+  /// The one that is shown, "x=7".
+  std::string slice() const;
 
  private:
   enum class Mouse { kSelect, kPaint, kErase };

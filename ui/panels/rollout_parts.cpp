@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/figure/outcome_colours.h"
+#include "engine/learning/rollout_table.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 
@@ -13,18 +15,30 @@ namespace trocar::ui {
 using learning::RolloutEnd;
 using workbench::JobState;
 
-std::pair<std::string, Rgba> end_words(const Theme& theme, RolloutEnd end) {
+const char* end_sign(RolloutEnd end) {
   switch (end) {
     case RolloutEnd::kArrives:
-      return {std::string(icon::kVerify) + "  arrives", theme.good};
+      return icon::kVerify;
     case RolloutEnd::kLoops:
-      return {std::string(icon::kRefresh) + "  loops", theme.warning};
+      return icon::kRefresh;
     case RolloutEnd::kDeadEnd:
-      return {std::string(icon::kCross) + "  dead end", theme.danger};
+      return icon::kCross;
     case RolloutEnd::kOutsideSafeSet:
-      return {std::string(icon::kCross) + "  outside", theme.danger};
+      break;
   }
-  return {"", theme.text};
+  return icon::kEject;
+}
+
+void end_text(Ui& ui, RolloutEnd end) {
+  ImGui::BeginGroup();
+  {
+    const ColourScope tint(ImGuiCol_Text, figure::outcome_colour(end));
+    ImGui::TextUnformatted(end_sign(end));
+  }
+  ImGui::SameLine(0.0F, ui.px(6));
+  const std::string_view words = figure::outcome_word(end);
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  ImGui::EndGroup();
 }
 
 std::string start_words(const spatial::Grid& grid, spatial::CellIndex cell) {
@@ -66,9 +80,13 @@ void summary_block(Ui& ui, std::string_view name, const learning::RolloutSummary
   heading(ui, name);
   ImGui::SameLine();
   dim_text(ui, count(summary.count) + " starts");
-  outcome_row(ui, icon::kVerify, "Arrives", summary.arrived, summary.count, ui.theme().good);
-  outcome_row(ui, icon::kRefresh, "Loops", summary.looped, summary.count, ui.theme().warning);
-  outcome_row(ui, icon::kCross, "Dead end or outside", summary.dead_end, summary.count, ui.theme().danger);
+  const auto row = [&](std::string_view words, RolloutEnd end, int part) {
+    outcome_row(ui, end_sign(end), words, part, summary.count, figure::outcome_colour(end));
+  };
+  row("Arrives", RolloutEnd::kArrives, summary.arrived);
+  row("Loops", RolloutEnd::kLoops, summary.looped);
+  row("Dead end", RolloutEnd::kDeadEnd, summary.dead_end);
+  row("Outside", RolloutEnd::kOutsideSafeSet, summary.outside);
   outcome_row(ui, icon::kDownload, "From above", summary.from_above, summary.arrived, ui.theme().accent);
 }
 
@@ -102,6 +120,14 @@ void draw_job_under_way(Ui& ui, const workbench::JobView& job, std::string_view 
   ui.animate();
 }
 
+void export_plot_button(Ui& ui, std::string_view label, const workbench::PlotSettings& plot, Requests& requests) {
+  if (button(
+          ui, label,
+          {.icon = icon::kDownload, .help = "As PNG, SVG or PDF, for screen or paper", .style = ButtonStyle::kQuiet})) {
+    requests.emplace_back(ShowPlotForm{plot});
+  }
+}
+
 bool chart_area(Ui& ui, std::string_view label, ImVec2 size, std::string_view value, const WidgetOptions& options) {
   ImGui::InvisibleButton(std::string(label).c_str(), {std::max(size.x, 1.0F), std::max(size.y, 1.0F)});
   const bool hovered = ImGui::IsItemHovered();
@@ -111,9 +137,13 @@ bool chart_area(Ui& ui, std::string_view label, ImVec2 size, std::string_view va
 }
 
 const std::vector<std::string>& measure_names() {
-  static const std::vector<std::string> kNames{"Start",  "End",     "Steps",    "Length",     "Straight",
-                                               "Worst",  "Mean",    "Fréchet",  "Last moves", "From above",
-                                               "Reward", "Departs", "Clearance"};
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names;
+    for (int i = 0; i < learning::kRolloutMeasures; ++i) {
+      names.emplace_back(learning::words_of(static_cast<learning::RolloutMeasure>(i)).name);
+    }
+    return names;
+  }();
   return kNames;
 }
 

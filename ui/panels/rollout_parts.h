@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "engine/learning/rollout_table.h"
@@ -10,8 +9,10 @@
 
 namespace trocar::ui {
 
-/// "arrives" with its sign, and its colour.
-std::pair<std::string, Rgba> end_words(const Theme& theme, learning::RolloutEnd end);
+/// An icon for how a rollout ends, drawn in `figure::outcome_colour`.
+const char* end_sign(learning::RolloutEnd end);
+/// The sign in its colour and the word beside it, as one item.
+void end_text(Ui& ui, learning::RolloutEnd end);
 /// "3, 4, 5"
 std::string start_words(const spatial::Grid& grid, spatial::CellIndex cell);
 /// A share with a sign, a bar and numbers.
@@ -27,6 +28,9 @@ void select_start(const WorkbenchState& state, std::optional<spatial::CellIndex>
 const workbench::JobView* job_under_way(const WorkbenchState& state, std::string_view title);
 /// Its progress, and a button that stops it and says what is kept.
 void draw_job_under_way(Ui& ui, const workbench::JobView& job, std::string_view help, Requests& requests);
+
+/// Opens the form that writes this figure.
+void export_plot_button(Ui& ui, std::string_view label, const workbench::PlotSettings& plot, Requests& requests);
 
 /// An area that is drawn by hand like `canvas`, over which the wheel still scrolls the panel. Returns true while it is
 /// hovered.

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "ui/icons.h"
+#include "ui/keymap.h"
 
 namespace trocar::ui {
 namespace {
@@ -39,6 +42,18 @@ std::optional<double> RolloutPlay::next(const Ui& ui, const RolloutSettings& set
   return std::nullopt;
 }
 
+bool RolloutPlay::claims(const Ui& ui, const Chord& chord) {
+  const std::span<const Chord> keys = ui.keymap().chords("transport.play");
+  return !ui.focus().shown() && std::find(keys.begin(), keys.end(), chord) != keys.end();
+}
+
+bool RolloutPlay::key_pressed(const Ui& ui) const {
+  if (ImGui::GetIO().WantTextInput || ui.focus().shown()) return false;
+  if (!ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) return false;
+  const std::span<const Chord> keys = ui.keymap().chords("transport.play");
+  return std::any_of(keys.begin(), keys.end(), [&ui](const Chord& chord) { return pressed(ui.input(), chord); });
+}
+
 void RolloutPlay::draw(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "Play");
   static const std::vector<std::string> kPaces{"By step", "By length"};
@@ -46,15 +61,19 @@ void RolloutPlay::draw(Ui& ui, const WorkbenchState& state, Requests& requests) 
   const double longest = longest_rollout(*state.insight);
   form_label(ui, "Pace");
   int pace = static_cast<int>(settings.pace);
-  if (segmented(ui, "Pace", pace, kPaces,
-                {.help = "All take as many steps, or all are at the same share of their own ways"})) {
+  if (segmented(
+          ui, "Pace", pace, kPaces,
+          {.help = "All take as many steps; or all have the same share of their way behind them, 0 to 100 %: as a "
+                   "model is of one segment, that plays them segment by segment"})) {
     const bool by_length = static_cast<GhostPace>(pace) == GhostPace::kLength;
     if (settings.reach) *settings.reach *= by_length ? 1.0 / longest : longest;
     settings.pace = static_cast<GhostPace>(pace);
   }
-  if (icon_button(
-          ui, playing_ ? "Pause" : "Play",
-          {.icon = playing_ ? icon::kPause : icon::kPlay, .help = "All rollouts from their starts, together"})) {
+  const bool clicked = icon_button(ui, playing_ ? "Pause" : "Play",
+                                   {.icon = playing_ ? icon::kPause : icon::kPlay,
+                                    .help = "All rollouts from their starts, together",
+                                    .shortcut = shown_keys(ui, "transport.play")});
+  if (clicked || key_pressed(ui)) {
     playing_ = !playing_;
     shown_s_ = ui.now_s();
     if (playing_ && !settings.reach) settings.reach = 0.0;

@@ -9,8 +9,12 @@ namespace trocar::ui {
 class RolloutPlay {
  public:
   void draw(Ui& ui, const WorkbenchState& state, Requests& requests);
+  /// The keys of `transport.play` play the rollouts where these are the current panel, but for a widget that the
+  /// keyboard is on.
+  static bool claims(const Ui& ui, const Chord& chord);
 
  private:
+  bool key_pressed(const Ui& ui) const;
   /// How much is still to come after another moment of it; none: all has been seen.
   std::optional<double> next(const Ui& ui, const workbench::RolloutSettings& settings, double longest);
 

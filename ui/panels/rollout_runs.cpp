@@ -6,8 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "engine/figure/outcome_colours.h"
+#include "engine/statistics/proportion.h"
 #include "ui/command_text.h"
 #include "ui/format.h"
+#include "ui/forms/export_parts.h"
 #include "ui/icons.h"
 #include "ui/panels/rollout_parts.h"
 
@@ -22,7 +25,7 @@ std::string kept_words(int finished, std::size_t all) {
 }
 
 std::string share_words(double share) {
-  return fmt::format("{:.1f} %", 100.0 * share);
+  return statistics::share_text(share, 1);
 }
 
 std::string no_starts(const WorkbenchState& state) {
@@ -62,7 +65,8 @@ void RolloutRuns::draw_erring(Ui& ui, const WorkbenchState& state, Requests& req
     badge(ui, icon::kStop, kept_words(found.result.finished, found.result.starts.size()), ui.theme().warning,
           "It was stopped; the starts that were finished are told of");
   }
-  outcome_row(ui, icon::kVerify, "Arrives", found.arrived, found.runs, ui.theme().good);
+  outcome_row(ui, icon::kVerify, "Arrives", found.arrived, found.runs,
+              figure::outcome_colour(learning::RolloutEnd::kArrives));
   wrapped_text(ui, words, ui.theme().text);
   note_item(ui, "text", "Share", words, {});
   small_text(ui,
@@ -107,7 +111,8 @@ void RolloutRuns::draw_physics(Ui& ui, const WorkbenchState& state, Requests& re
     badge(ui, icon::kStop, kept_words(found->finished, found->cells.size()), ui.theme().warning,
           "It was stopped; Go on takes it up again");
   }
-  outcome_row(ui, icon::kVerify, "Arrives", found->arrived, found->finished, ui.theme().good);
+  outcome_row(ui, icon::kVerify, "Arrives", found->arrived, found->finished,
+              figure::outcome_colour(learning::RolloutEnd::kArrives));
   std::array<int, trial::kPhysicsEnds> ends{};
   for (const auto& rollout : found->rollouts) {
     if (rollout) ++ends[static_cast<std::size_t>(rollout->end)];
@@ -121,8 +126,8 @@ void RolloutRuns::draw_physics(Ui& ui, const WorkbenchState& state, Requests& re
 }
 
 std::string RolloutRuns::no_rows(const WorkbenchState& state) const {
-  if (!file_.ends_with(".csv")) return "The name must end in .csv";
   const auto rows = static_cast<workbench::RolloutRows>(rows_);
+  if (rows == workbench::RolloutRows::kBand && !file_.ends_with(".csv")) return "A band's name must end in .csv";
   const auto of_others = [&state](const auto& found) {
     return found->entry != state.insight->entry || found->starts != state.rollouts.starts;
   };
@@ -135,24 +140,40 @@ std::string RolloutRuns::no_rows(const WorkbenchState& state) const {
     if (!state.physics) return "Nothing is known yet: simulate the rollouts first";
     if (of_others(state.physics)) return std::string(kOthers);
   }
+  const auto starts = static_cast<int>(state.insight->starts.size());
+  if (rows == workbench::RolloutRows::kBand && starts > 0 && starts < learning::kLeastInBand) {
+    return fmt::format("A band needs {} starts", learning::kLeastInBand);
+  }
   return no_starts(state);
 }
 
 void RolloutRuns::draw_export(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "Export");
-  static const std::vector<std::string> kRows{"Exact", "Erring", "Simulator"};
+  static const std::vector<std::string> kRows{"Exact", "Erring", "Simulator", "Band"};
   heading(ui, "Export");
   form_label(ui, "Rows");
   segmented(
       ui, "Rows", rows_, kRows,
-      {.help = "All measures of each start; these with runs, arrivals and Wilson's interval; or the simulator's"});
+      {.help = "All measures of each start; these with runs, arrivals and Wilson's interval; the simulator's; or the "
+               "deviations from the expert, step by step"});
   form_label(ui, "File");
-  text_field(ui, "File", file_, "rollouts.csv", {.help = ".csv: the bytes that the command line writes"});
-  const std::string reason = no_rows(state);
+  text_field(ui, "File", file_, "rollouts.csv", {.help = "Its ending says what kind it is: .csv, .json or .h5"});
+  static const std::vector<std::string> kFiles{"CSV", "JSON", "HDF5"};
+  constexpr std::array<std::string_view, 3> kEndings{".csv", ".json", ".h5"};
+  int kind = place_of_ending(file_, kEndings);
+  form_label(ui, "Kind of file");
+  if (segmented(ui, "Kind of file", kind, kFiles, {.help = "The same table and the same numbers in each"})) {
+    file_ = std::filesystem::path(file_).replace_extension(kEndings[static_cast<std::size_t>(kind)]).string();
+  }
+  std::string reason = no_rows(state);
+  if (reason.empty()) reason = reason_against_path(file_, state);
+  if (reason.empty() && kind < 0) reason = "Choose a kind of file";
   const Command rows{workbench::ExportRollouts{file_, static_cast<workbench::RolloutRows>(rows_)}};
-  if (button(ui, "Export CSV",
+  if (button(ui, "Export",
              {.icon = icon::kTable,
-              .help = "One row for each chosen start; the same bytes as the command line writes",
+              .help = rows_ == static_cast<int>(workbench::RolloutRows::kBand)
+                          ? "One row for each step; the same bytes as the command line writes"
+                          : "One row for each chosen start; the same bytes as the command line writes",
               .reason = reason})) {
     requests.emplace_back(rows);
   }

@@ -39,8 +39,7 @@ void draw_why(Ui& ui, const workbench::ModelInsight& insight) {
 void draw_parting(Ui& ui, const workbench::ModelInsight& insight) {
   const Scope scope(ui, "Second model");
   const workbench::SecondModel& second = *insight.second;
-  const auto [words, colour] = end_words(ui.theme(), second.selected->end);
-  fact(ui, second.entry->name, words);
+  fact(ui, second.entry->name, std::string(learning::to_string(second.selected->end)));
   if (!second.parts_at) {
     const bool same_length = insight.selected->cells.size() == second.selected->cells.size();
     fact(ui, "They part", same_length ? "never" : "one ends where the other goes on");
@@ -71,12 +70,8 @@ void draw_selected_rollout(Ui& ui, const WorkbenchState& state, Requests& reques
   const spatial::Grid& grid = insight.entry->model->grid;
   const learning::Rollout& rollout = *insight.selected;
   heading(ui, "From " + start_words(grid, rollout.start));
-  const auto [words, colour] = end_words(ui.theme(), rollout.end);
-  {
-    const ColourScope tint(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(words.c_str());
-    note_item(ui, "text", "End", learning::to_string(rollout.end), {});
-  }
+  end_text(ui, rollout.end);
+  note_item(ui, "text", "End", learning::to_string(rollout.end), {});
   ImGui::SameLine(0.0F, ui.px(10));
   dim_text(ui, fmt::format("{} steps, {}", rollout.cells.size() - 1, millimetres(rollout.length_m)));
   {

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/common.h"
+#include "ui/panels/rollout_band.h"
 #include "ui/panels/rollout_pair.h"
 #include "ui/panels/rollout_parts.h"
 #include "ui/panels/rollout_selected.h"
@@ -19,6 +22,8 @@ namespace {
 
 using learning::RolloutSummary;
 using workbench::Command;
+
+constexpr int kPathsPage = 2;
 
 void around_table(Ui& ui, const std::array<RolloutSummary, 5>& around, int chosen, Requests& requests,
                   const workbench::RolloutSettings& settings) {
@@ -81,6 +86,11 @@ void RolloutsPanel::draw_outcomes(Ui& ui, const WorkbenchState& state, Requests&
   const int k = around_of(state.rollouts);
   summary_block(ui, k > 0 ? fmt::format("Within ±{} cells", k) : std::string("Chosen starts"), insight.chosen);
   ImGui::Dummy({0.0F, ui.px(3)});
+  // Above the map, over which the wheel goes through the slices.
+  workbench::PlotSettings plot;
+  plot.kind = workbench::PlotKind::kMap;
+  plot.slice = map_.slice();
+  export_plot_button(ui, "Export map…", plot, requests);
   map_.draw(ui, state, requests);
   ImGui::Dummy({0.0F, ui.px(3)});
   around_table(ui, insight.around, k, requests, state.rollouts);
@@ -88,12 +98,39 @@ void RolloutsPanel::draw_outcomes(Ui& ui, const WorkbenchState& state, Requests&
   summary_block(ui, "All cells", insight.all);
 }
 
-void RolloutsPanel::draw_spread(Ui& ui, const WorkbenchState& state) {
+void RolloutsPanel::draw_spread(Ui& ui, const WorkbenchState& state, Requests& requests) {
+  workbench::PlotSettings plot;
   arrivals_.draw(ui, state.insight);
+  export_plot_button(ui, "Export arrivals…", plot, requests);
   ImGui::Dummy({0.0F, ui.px(6)});
   boxes_.draw(ui, *state.insight);
+  plot.kind = workbench::PlotKind::kBoxes;
+  plot.measures = {boxes_.measure()};
+  export_plot_button(ui, "Export boxes…", plot, requests);
   ImGui::Dummy({0.0F, ui.px(6)});
   draw_deviation_band(ui, *state.insight);
+  plot = {};
+  plot.kind = workbench::PlotKind::kBand;
+  export_plot_button(ui, "Export deviations…", plot, requests);
+}
+
+void RolloutsPanel::show_brushed(const WorkbenchState& state, Requests& requests) const {
+  std::vector<learning::RolloutRange> ranges = brush_.ranges();
+  if (ranges == state.rollouts.brushed) return;
+  // What else was asked for in this frame, as by a play that goes on, stays.
+  for (Request& request : requests) {
+    auto* asked = std::get_if<Command>(&request);
+    auto* rollouts = asked != nullptr ? std::get_if<workbench::SetRollouts>(asked) : nullptr;
+    if (rollouts != nullptr) rollouts->settings.brushed = ranges;
+  }
+  workbench::RolloutSettings settings = state.rollouts;
+  settings.brushed = std::move(ranges);
+  requests.insert(requests.begin(), Command{workbench::SetRollouts{std::move(settings)}});
+}
+
+bool RolloutsPanel::claims(const Ui& ui, const Chord& chord, const WorkbenchState& state) const {
+  const bool plays = page_ == kPathsPage && state.insight && state.insight->entry != nullptr;
+  return plays && RolloutPlay::claims(ui, chord);
 }
 
 Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
@@ -125,18 +162,27 @@ Requests RolloutsPanel::draw(Ui& ui, const WorkbenchState& state) {
   ImGui::Dummy({0.0F, ui.px(3)});
   if (page_ == 0) draw_outcomes(ui, state, requests);
   brush_.update(*state.insight);
+  brush_.take(state.rollouts.brushed);
   if (page_ == 1) {
-    axes_.draw(ui, state, brush_);
+    axes_.draw(ui, state, brush_, requests);
+    workbench::PlotSettings plot;
+    plot.kind = workbench::PlotKind::kAxes;
+    plot.kept = brush_.ranges();
+    export_plot_button(ui, "Export axes…", plot, requests);
     table_.draw(ui, state, brush_, requests);
   }
-  if (page_ == 2) {
+  if (page_ == kPathsPage) {
     draw_ghosts(ui, state, requests);
     play_.draw(ui, state, requests);
     multiples_.draw(ui, state, brush_, requests);
+    workbench::PlotSettings plot = multiples_.plot();
+    plot.kept = brush_.ranges();
+    export_plot_button(ui, "Export pictures…", plot, requests);
   }
-  if (page_ == 3) draw_spread(ui, state);
+  if (page_ == 3) draw_spread(ui, state, requests);
   if (page_ == 4) runs_.draw(ui, state, requests);
   if (page_ == 5) draw_second_model(ui, state, requests);
+  show_brushed(state, requests);
   return requests;
 }
 

@@ -16,10 +16,14 @@ namespace trocar::ui {
 class RolloutsPanel final : public Panel {
  public:
   Requests draw(Ui& ui, const WorkbenchState& state) override;
+  /// The keys that play, while all rollouts are to be played here.
+  bool claims(const Ui& ui, const Chord& chord, const WorkbenchState& state) const override;
 
  private:
   void draw_ghosts(Ui& ui, const WorkbenchState& state, Requests& requests);
-  void draw_spread(Ui& ui, const WorkbenchState& state);
+  void draw_spread(Ui& ui, const WorkbenchState& state, Requests& requests);
+  /// Other ranges than those that are known are so everywhere, in the 3-D view too.
+  void show_brushed(const WorkbenchState& state, Requests& requests) const;
   void draw_outcomes(Ui& ui, const WorkbenchState& state, Requests& requests);
 
   RolloutStarts starts_;

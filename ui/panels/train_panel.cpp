@@ -185,6 +185,9 @@ void TrainPanel::draw_history(Ui& ui, const WorkbenchState& state, Requests& req
     playing_ = false;
     go_to(epoch);
   }
+  workbench::PlotSettings plot;
+  plot.kind = workbench::PlotKind::kCurve;
+  export_plot_button(ui, "Export curve…", plot, requests);
   fact(ui, "Fully explored", count(insight.exploration.fully_explored));
   fact(ui, "Not explored", count(insight.exploration.fully_unexplored));
   fact(ui, "Arrive within ±3", percent(insight.around[2].arrived, insight.around[2].count));

@@ -87,7 +87,10 @@ struct FileWriter::Impl {
   Status group(const TreeNode& node) {
     const Properties properties(H5Pcreate(H5P_GROUP_CREATE));
     H5Pset_obj_track_times(properties.get(), false);
-    const Object made(H5Gcreate2(file.get(), node.path.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT));
+    // The root is there already; it may get attributes.
+    const Object made(node.path.empty()
+                          ? H5Gopen2(file.get(), "/", H5P_DEFAULT)
+                          : H5Gcreate2(file.get(), node.path.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT));
     return made ? attributes(made.get(), node) : could_not(node.path);
   }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/ending.h"
 #include "engine/exchange/field_hdf5.h"
 #include "engine/learning/model_comparison.h"
 #include "engine/learning/policy.h"
@@ -82,13 +83,13 @@ figure::FieldFigureOptions figure_options(const ModelEntry& entry, const learnin
 }
 
 bool is_drawn(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = ending_of(path);
   return extension == ".png" || extension == ".svg" || extension == ".pdf";
 }
 
 Status write_field(const learning::Field& field, const figure::FieldFigureOptions& options,
                    const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = ending_of(path);
   if (extension == ".png") {
     return media::write_png(path, figure::draw_field(field, options),
                             options.print ? std::optional(options.print->dpi) : std::nullopt);
@@ -98,7 +99,7 @@ Status write_field(const learning::Field& field, const figure::FieldFigureOption
 }
 
 Result<learning::Field> export_field(const FieldExport& request) {
-  const std::string extension = request.path.extension().string();
+  const std::string extension = ending_of(request.path);
   TROCAR_ASSIGN_OR_RETURN(learning::Field field, wanted_field(request));
   TROCAR_ASSIGN_OR_RETURN(const figure::FieldFigureOptions options, file_options(request, field));
   if (extension == ".png") {

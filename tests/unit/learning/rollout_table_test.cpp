@@ -137,8 +137,13 @@ TEST_CASE("the band holds the middle one of the deviations, step by step") {
   REQUIRE_FALSE(band.median.empty());
   CHECK(band.count.front() == static_cast<int>(rollouts.size()));
   for (std::size_t step = 0; step < band.median.size(); ++step) {
-    REQUIRE(band.low[step] <= band.median[step]);
-    REQUIRE(band.median[step] <= band.high[step]);
+    REQUIRE(band.low[step] <= band.lower[step]);
+    REQUIRE(band.lower[step] <= band.median[step]);
+    REQUIRE(band.median[step] <= band.upper[step]);
+    REQUIRE(band.upper[step] <= band.high[step]);
+    // Those that take at least so many steps.
+    REQUIRE(band.count[step] == std::count_if(rollouts.begin(), rollouts.end(),
+                                              [step](const auto& one) { return one.cells.size() > step; }));
     REQUIRE(band.count[step] >= kLeastInBand);
   }
   // At the start: how far the starts are from the expert's cells, by hand.
@@ -153,6 +158,31 @@ TEST_CASE("the band holds the middle one of the deviations, step by step") {
   std::sort(first.begin(), first.end());
   CHECK(band.median.front() == doctest::Approx(first[first.size() / 2]));
   CHECK(deviation_band(model, {rollouts.front()}).median.empty());
+}
+
+TEST_CASE("the band as rows says what it holds, and how many still go on") {
+  DeviationBand band;
+  band.low = {0.0, 0.001};
+  band.lower = {0.001, 0.002};
+  band.median = {0.002, 0.0025};
+  band.upper = {0.003, 0.004};
+  band.high = {0.01, 0.0125};
+  band.count = {8, 6};
+  CHECK(band_csv(band) ==
+        "step,n,share,p05_mm,p25_mm,median_mm,p75_mm,p95_mm\n0,8,1,0,1,2,3,10\n1,6,0.75,1,2,2.5,4,12.5\n");
+}
+
+TEST_CASE("a rollout lies in ranges if every measure does, and what is not known lies in none") {
+  const Model model = listed();
+  const auto rollouts = rolled_out(model, starts_around(model, 2));
+  const Rollout& one = rollouts.front();
+  const auto steps = static_cast<double>(one.cells.size() - 1);
+  const RolloutRange of_steps{RolloutMeasure::kSteps, steps, steps};
+  CHECK(lies_in(one, {}, model.grid, {}));
+  CHECK(lies_in(one, {of_steps}, model.grid, {}));
+  CHECK_FALSE(lies_in(one, {{RolloutMeasure::kSteps, steps + 0.5, steps + 9.0}}, model.grid, {}));
+  CHECK_FALSE(lies_in(one, {of_steps, {RolloutMeasure::kReward, 1e6, 2e6}}, model.grid, {}));
+  CHECK_FALSE(lies_in(one, {{RolloutMeasure::kClearance, -1e6, 1e6}}, model.grid, {}));
 }
 
 TEST_CASE("arrivals grow step by step to what arrives at all, each rollout counted from its own last step on") {

@@ -157,13 +157,17 @@ TEST_CASE("a rollout along the expert has no deviation, its length, and the sum 
   CHECK(aside.divergence_step == 0);
 }
 
-TEST_CASE("a start outside of the safe set that the model cannot leave counts as a dead end") {
+TEST_CASE("a start outside of the safe set that the model cannot leave is counted by itself, and all counts add up") {
   const Model model = column_model();
   const Basin all = basin(model, greedy_policy(model));
   CHECK(all.end[0] == RolloutEnd::kOutsideSafeSet);
   const RolloutSummary summary = summarise(all, starts_around(model, 1));
   CHECK(summary.count == 18);
-  CHECK(summary.dead_end == 18);
+  CHECK(summary.outside == 16);
+  CHECK(summary.dead_end == 2);  // of the column, where nothing was learned
+  const RolloutSummary whole = summarise(all, starts_around(model, 5));
+  CHECK(whole.arrived + whole.looped + whole.dead_end + whole.outside == whole.count);
+  CHECK(whole.dead_end > 0);
 }
 
 TEST_CASE("starts within ±k are the cells of a cube cut at the lattice's faces") {

@@ -60,3 +60,17 @@ TEST_CASE(
   CHECK(paired_difference_interval(0, 3, 3).high == 1.0);
   CHECK(paired_difference_interval(0, 0, 0).low == -1.0);
 }
+
+TEST_CASE("a share is called 100 % or 0 % only where it is whole") {
+  CHECK(percent_text(10646, 10648, 1) == ">99.9 %");
+  CHECK(percent_text(10648, 10648, 1) == "100.0 %");
+  CHECK(percent_text(2, 10648, 1) == "<0.1 %");
+  CHECK(percent_text(0, 10648, 1) == "0.0 %");
+  CHECK(percent_text(999, 1000, 1) == "99.9 %");
+  CHECK(percent_text(999, 1000, 0) == ">99 %");
+  CHECK(percent_text(1, 1000, 0) == "<1 %");
+  CHECK(percent_text(1, 1, 0) == "100 %");
+  CHECK(percent_text(3, 8, 2) == "37.50 %");
+  CHECK(percent_text(0, 0, 1) == "–");
+  CHECK(share_text(0.99996, 2) == ">99.99 %");
+}

@@ -44,6 +44,8 @@ TEST_CASE("a field is asked for on paper, in the colours of the window, and writ
   CHECK(text_of(driver.expect_enabled("Export field/Pixels an inch", false)) == "");  // a screen has its own
   CHECK(text_of(driver.click("Export field/Width/88 mm")) == "");
   CHECK(text_of(driver.expect_enabled("Export field/Pixels an inch", true)) == "");
+  CHECK(text_of(driver.type("Export field/File", "f.png")) == "");  // the project's folder is none here
+  CHECK(driver.frames(2));
   CHECK(text_of(driver.click("Export field/Export")) == "");
   const auto* field = desk.last<workbench::ExportField>();
   REQUIRE(field != nullptr);
@@ -56,6 +58,8 @@ TEST_CASE("a field is asked for on paper, in the colours of the window, and writ
   CHECK(driver.key("Ctrl+Shift+E"));
   CHECK(text_of(driver.click("Export field/Kind of file/PDF")) == "");
   CHECK(text_of(driver.expect_enabled("Export field/Pixels an inch", false)) == "");
+  CHECK(text_of(driver.type("Export field/File", "f.pdf")) == "");
+  CHECK(driver.frames(2));
   CHECK(text_of(driver.click("Export field/Export")) == "");
   field = desk.last<workbench::ExportField>();
   CHECK(field->path.extension() == ".pdf");
@@ -72,6 +76,8 @@ TEST_CASE("a file of a field's numbers has neither paper nor colours, and one of
   CHECK(text_of(driver.click("Export field/Kind of file/VTI")) == "");
   CHECK(text_of(driver.expect_enabled("Export field/Slice", false)) == "");
   CHECK(text_of(driver.expect_enabled("Export field/Width/88 mm", false)) == "");
+  CHECK(text_of(driver.type("Export field/File", "f.vti")) == "");
+  CHECK(driver.frames(2));
   CHECK(text_of(driver.click("Export field/Export")) == "");
   const auto* field = desk.last<workbench::ExportField>();
   REQUIRE(field != nullptr);
@@ -79,6 +85,27 @@ TEST_CASE("a file of a field's numbers has neither paper nor colours, and one of
   CHECK(field->slice.empty());
   CHECK(field->look == workbench::FieldFileLook{});
   CHECK(command_text(*field, desk.state).find(" --layer reward --out ") != std::string::npos);
+}
+
+TEST_CASE("the slice proposed is the panel's, and one that there is not is refused before the form closes") {
+  Desk desk(testing::made_state_with_model());
+  Driver driver = desk.driver();
+  CHECK(text_of(driver.click("Tabs/Fields")) == "");
+  CHECK(driver.frames(2));
+  CHECK(driver.key("Ctrl+Shift+E"));
+  CHECK(text_of(driver.click("Export field/What/One slice")) == "");
+  CHECK(text_of(driver.expect_value("Export field/Slice", "z=10")) == "");  // through the goal
+  CHECK(text_of(driver.type("Export field/Slice", "z=99")) == "");
+  CHECK(text_of(driver.type("Export field/File", "F.PNG")) == "");
+  CHECK(driver.frames(2));
+  CHECK(driver.item("Export field/Export").value().reason.find("z") != std::string::npos);
+  CHECK(text_of(driver.type("Export field/Slice", "y=3")) == "");
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.click("Export field/Export")) == "");
+  const auto* field = desk.last<workbench::ExportField>();
+  REQUIRE(field != nullptr);
+  CHECK(field->slice == "y=3");
+  CHECK(field->path == "F.PNG");
 }
 
 TEST_CASE("a Q-table is imported from an empty panel, and written as a command line") {

@@ -182,3 +182,55 @@ TEST_CASE("a field of a demonstration that was edited since says that it is stal
   FieldsDesk desk(state);
   CHECK(text_of(desk.follow().expect_present("Fields/stale", true)) == "");
 }
+
+TEST_CASE("what a cloud hides is chosen, drawn by its knots, and typed") {
+  FieldsDesk desk;
+  Driver driver = desk.follow();
+  CHECK(text_of(driver.expect_present("Fields/Cloud/Curve", false)) == "");
+  CHECK(text_of(driver.click("Fields/Volume")) == "");
+  CHECK(driver.frames(2));
+  CHECK_FALSE(desk.state.field.opacity_curve);
+  CHECK(text_of(driver.expect_value("Fields/Cloud/Opacity curve", "automatic")) == "");
+  CHECK(text_of(driver.click("Fields/Cloud/Opacity curve")) == "");
+  CHECK(text_of(driver.click("Opacity curve/only the highest")) == "");
+  CHECK(desk.state.field.opacity_curve == plot::opacity_curve(plot::OpacityPreset::kHighest));
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.expect_value("Fields/Cloud/Knot 1", "0.80 → 0.00")) == "");
+  CHECK(text_of(driver.drag("Fields/Cloud/Knot 1", -100.0F, -20.0F)) == "");
+  CHECK(driver.frames(2));
+  REQUIRE(desk.state.field.opacity_curve);
+  const plot::OpacityKnot moved = desk.state.field.opacity_curve->knots[0];
+  CHECK(moved.position < 0.79);
+  CHECK(moved.height > 0.1);
+  CHECK(desk.state.field.opacity_curve->knots[1] == plot::OpacityKnot{0.95, 1.0});
+  CHECK(text_of(driver.expect_value("Fields/Cloud/Opacity curve", "as drawn")) == "");
+  // Never beyond its neighbour.
+  CHECK(text_of(driver.drag("Fields/Cloud/Knot 1", 2000.0F, 0.0F)) == "");
+  CHECK(desk.state.field.opacity_curve->knots[0].position == doctest::Approx(0.94));
+  CHECK(text_of(driver.double_click("Fields/Cloud/Curve")) == "");
+  CHECK(driver.frames(2));
+  REQUIRE(desk.state.field.opacity_curve->knots.size() == 3);
+  CHECK(desk.state.field.opacity_curve->knots[0].position == doctest::Approx(0.5).epsilon(0.03));
+  CHECK(driver.frames(60));  // else it were a fourth click
+  CHECK(text_of(driver.double_click("Fields/Cloud/Knot 1")) == "");
+  CHECK(desk.state.field.opacity_curve->knots.size() == 2);
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.click("Fields/Cloud/Add knot")) == "");
+  CHECK(desk.state.field.opacity_curve->knots.size() == 2);  // no room between them
+  CHECK(text_of(driver.type("Fields/Cloud/Knots", "0:0/0.5:0.2/1:1")) == "");
+  CHECK(driver.frames(2));
+  CHECK(desk.state.field.opacity_curve == plot::opacity_curve_from("0:0/0.5:0.2/1:1").value());
+  CHECK(text_of(driver.click("Fields/Cloud/Add knot")) == "");
+  CHECK(driver.frames(2));
+  CHECK(desk.state.field.opacity_curve->knots.size() == 4);
+  CHECK(text_of(driver.click("Fields/Cloud/Remove knot")) == "");
+  CHECK(driver.frames(2));
+  CAPTURE(plot::to_string(*desk.state.field.opacity_curve));
+  CHECK(desk.state.field.opacity_curve == plot::opacity_curve_from("0:0/0.5:0.2/1:1").value());
+  CHECK(text_of(driver.type("Fields/Cloud/Knots", "hill")) == "");
+  CHECK(driver.frames(2));
+  CHECK(desk.state.field.opacity_curve == plot::opacity_curve_from("0:0/0.5:0.2/1:1").value());
+  CHECK(text_of(driver.click("Fields/Cloud/Opacity curve")) == "");
+  CHECK(text_of(driver.click("Opacity curve/automatic")) == "");
+  CHECK_FALSE(desk.state.field.opacity_curve);
+}

@@ -149,6 +149,27 @@ TEST_CASE("the learning is gone through epoch by epoch") {
   CHECK(desk.last<workbench::SetLearning>()->settings.epoch >= 0);
 }
 
+TEST_CASE("the learning curve is exported from where it is drawn, by the command that draws it") {
+  Desk desk(testing::made_state_with_model());
+  Driver driver = desk.driver();
+  CHECK(driver.key("Ctrl+3"));
+  CHECK(driver.frames(3));
+  CHECK(text_of(driver.click("Tabs/Train")) == "");
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.click("Train/Learning/Export curve…")) == "");
+  CHECK(text_of(driver.click("Export figure/Kind of file/CSV")) == "");
+  CHECK(text_of(driver.expect_enabled("Export figure/Width/88 mm", false)) == "");  // numbers have none
+  CHECK(text_of(driver.type("Export figure/File", "curve.csv")) == "");
+  CHECK(driver.frames(2));
+  CHECK(text_of(driver.click("Export figure/Copy as command")) == "");
+  CHECK(desk.window.clipboard() == "trocar model curve /data/pegs.trocar 3 --out curve.csv");
+  CHECK(text_of(driver.click("Export figure/Export")) == "");
+  const auto* plot = desk.last<workbench::ExportPlot>();
+  REQUIRE(plot != nullptr);
+  CHECK(plot->settings.kind == workbench::PlotKind::kCurve);
+  CHECK(plot->path == "curve.csv");
+}
+
 TEST_CASE("a model that follows says so, with what changed, and can be kept once the edit is made") {
   workbench::WorkbenchState state = testing::made_state_with_model();
   auto insight = std::make_shared<workbench::ModelInsight>(*state.insight);

@@ -278,6 +278,8 @@ TEST_CASE("numbers read as people write them") {
   CHECK(percent(1, 3) == "33 %");
   CHECK(percent(1, 1) == "100 %");
   CHECK(percent(293, 294) == "99.7 %");
+  CHECK(percent(10646, 10648) == ">99.9 %");
+  CHECK(percent(1, 10648) == "<0.1 %");
   CHECK(percent(0, 0) == "–");
   CHECK(number(-0.5) == "−0.5");
   CHECK(number(std::nan("")) == "–");

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "tests/support/ui_desk.h"
@@ -31,6 +32,20 @@ struct PlayedDesk : Desk {
   void click(const std::string& path) {
     CHECK(text_of(driver().click(path)) == "");
     frames(2);
+  }
+  /// A click in each of whose frames the window knows what was asked for before.
+  void press(const std::string& path) {
+    const Result<Item> item = driver().item(path);
+    REQUIRE(item);
+    press_at(item->rect.centre_x(), item->rect.centre_y());
+  }
+  void press_at(float x, float y) {
+    window.input().push(MouseMoved{x, y});
+    frames(1);
+    for (const bool down : {true, false}) {
+      window.input().push(MouseButton{0, down});
+      frames(2);
+    }
   }
   std::string value(const std::string& path) {
     const Result<Item> item = driver().item(path);
@@ -201,18 +216,154 @@ TEST_CASE("arrivals end at the share that arrives at all, of both models if ther
   CHECK(both.ends_with("(" + std::to_string(b) + ")"));
 }
 
-TEST_CASE("each end has its box of worst deviations, told apart by model, with the spread of its rollouts") {
+TEST_CASE("each end has its box of a measure, told apart by model, with the spread of its rollouts") {
   PlayedDesk desk("Spread");
   const auto spread = learning::worst_deviations_m(desk.listed(), learning::RolloutEnd::kArrives);
-  CHECK(desk.value("Rollouts/Worst deviation/Arrives").starts_with(std::to_string(spread.count) + ": "));
-  CHECK_FALSE(desk.present("Rollouts/Worst deviation/Loops"));
+  CHECK(desk.value("Rollouts/Boxes/Arrives").starts_with(std::to_string(spread.count) + ": "));
+  CHECK_FALSE(desk.present("Rollouts/Boxes/Loops"));
   desk.state = beside_the_paper();
   desk.frames(3);
-  CHECK(desk.present("Rollouts/Worst deviation/A arrives"));
-  CHECK_FALSE(desk.present("Rollouts/Worst deviation/A loops"));
+  CHECK(desk.present("Rollouts/Boxes/A arrives"));
+  CHECK_FALSE(desk.present("Rollouts/Boxes/A loops"));
   const auto loops = learning::worst_deviations_m(*desk.state.insight->second->listed, learning::RolloutEnd::kLoops);
   REQUIRE(loops.count > 0);
-  CHECK(desk.value("Rollouts/Worst deviation/B loops").starts_with(std::to_string(loops.count) + ": "));
+  CHECK(desk.value("Rollouts/Boxes/B loops").starts_with(std::to_string(loops.count) + ": "));
+}
+
+TEST_CASE("boxes are of the measure that is chosen, and written as the figure that is shown") {
+  PlayedDesk desk("Spread");
+  desk.click("Rollouts/Boxes/Measure");
+  desk.click("Rollouts/Boxes/Measure/Steps");
+  std::vector<double> steps;
+  for (const learning::Rollout& rollout : desk.listed()) {
+    if (rollout.end == learning::RolloutEnd::kArrives) steps.push_back(static_cast<double>(rollout.cells.size()) - 1);
+  }
+  const learning::Spread spread = learning::spread_of(steps);
+  const std::string value = desk.value("Rollouts/Boxes/Arrives");
+  CHECK(value.find("to " + std::to_string(static_cast<int>(spread.most)) + ", middle") != std::string::npos);
+  desk.click("Rollouts/Export boxes…");
+  CHECK(text_of(desk.driver().click("Export figure/Kind of file/PDF")) == "");
+  CHECK(text_of(desk.driver().click("Export figure/Width/88 mm")) == "");
+  CHECK(text_of(desk.driver().type("Export figure/File", "steps.pdf")) == "");
+  desk.frames(2);
+  CHECK(text_of(desk.driver().click("Export figure/Copy as command")) == "");
+  CHECK(desk.window.clipboard() ==
+        "trocar rollout plot /data/pegs.trocar 3 --starts around:3 --kind boxes --measure steps --preset column --out "
+        "steps.pdf");
+  CHECK(text_of(desk.driver().click("Export figure/Export")) == "");
+  const auto* plot = desk.last<workbench::ExportPlot>();
+  REQUIRE(plot != nullptr);
+  CHECK(plot->settings.kind == workbench::PlotKind::kBoxes);
+  CHECK(plot->settings.measures == std::vector{learning::RolloutMeasure::kSteps});
+  CHECK(plot->settings.preset == "column");
+  CHECK(plot->path == "steps.pdf");
+}
+
+TEST_CASE("every page of rollouts opens the form on the figure that it shows") {
+  const std::vector<std::array<std::string, 3>> pages{{"Spread", "Export arrivals…", "arrivals"},
+                                                      {"Spread", "Export deviations…", "band"},
+                                                      {"Table", "Export axes…", "axes"},
+                                                      {"Paths", "Export pictures…", "multiples"},
+                                                      {"Outcomes", "Export map…", "map"}};
+  for (const auto& [page, label, kind] : pages) {
+    CAPTURE(label);
+    PlayedDesk desk(page);
+    desk.click("Rollouts/" + label);
+    CHECK(text_of(desk.driver().type("Export figure/File", "f.svg")) == "");
+    desk.frames(2);
+    CHECK(text_of(desk.driver().click("Export figure/Copy as command")) == "");
+    CHECK(desk.window.clipboard().find(" --kind " + kind) != std::string::npos);
+    CHECK(text_of(desk.driver().click("Export figure/Export")) == "");
+    const auto* plot = desk.last<workbench::ExportPlot>();
+    REQUIRE(plot != nullptr);
+    CHECK(workbench::to_string(plot->settings.kind) == kind);
+  }
+}
+
+TEST_CASE("what cannot be written is said in the form, which stays open") {
+  PlayedDesk desk("Spread");
+  desk.click("Rollouts/Export arrivals…");
+  const auto reason = [&desk](const std::string& file) {
+    CHECK(text_of(desk.driver().type("Export figure/File", file)) == "");
+    desk.frames(2);
+    return desk.driver().item("Export figure/Export").value().reason;
+  };
+  CHECK(reason("/no/such/folder/a.png") == "There is no folder /no/such/folder");
+  CHECK(reason("a.npy").find(".csv") != std::string::npos);
+  CHECK(reason("A.PNG").empty());
+  CHECK(reason("a.csv").empty());
+}
+
+TEST_CASE("what is brushed is so in the 3-D view, also while a play goes on, and comes back from there") {
+  PlayedDesk desk("Table");
+  CHECK(text_of(desk.driver().drag("Rollouts/Measures/Steps", 0, -400)) == "");
+  desk.frames(2);
+  REQUIRE(desk.state.rollouts.brushed.size() == 1);
+  CHECK(desk.state.rollouts.brushed[0].measure == RolloutMeasure::kSteps);
+  const std::string brushed = desk.value("Rollouts/Measures/Brushed");
+  desk.commands.clear();
+  desk.state.rollouts.brushed.clear();
+  desk.frames(2);
+  CHECK_FALSE(desk.present("Rollouts/Measures/Brushed"));
+  desk.state.rollouts.brushed = {{RolloutMeasure::kSteps, 0.0, 1000.0}};
+  desk.frames(2);
+  CHECK(desk.value("Rollouts/Measures/Brushed") == "40 of 40 brushed");
+  desk.click("Rollouts/Page/Paths");
+  desk.click("Rollouts/Play/Play");
+  desk.frames(5);
+  desk.press("Rollouts/Small multiples/Show all");
+  CHECK(desk.state.rollouts.brushed.empty());
+  CHECK(desk.state.rollouts.reach);
+}
+
+TEST_CASE("a click on a line makes its rollout stand out, and leaves ranges alone") {
+  PlayedDesk desk("Table");
+  CHECK_FALSE(desk.state.rollouts.selected);
+  CHECK(text_of(desk.driver().drag("Rollouts/Measures/Steps", 0, -400)) == "");
+  desk.frames(2);
+  // The axis of all that arrive: every line meets it where the top one does.
+  const Result<Item> item = desk.driver().item("Rollouts/Measures/End");
+  REQUIRE(item);
+  bool found = false;
+  for (float y = item->rect.y1 - 4.0F; y > item->rect.y0 && !found; y -= 3.0F) {
+    desk.press_at(item->rect.centre_x(), y);
+    found = desk.state.rollouts.selected.has_value();
+  }
+  REQUIRE(found);
+  CHECK(std::any_of(desk.listed().begin(), desk.listed().end(),
+                    [&](const auto& one) { return one.start == *desk.state.rollouts.selected; }));
+  CHECK(desk.state.rollouts.brushed.size() == 1);
+}
+
+TEST_CASE("Space plays and pauses the rollouts where they are shown, and the demonstration elsewhere") {
+  PlayedDesk desk("Paths");
+  CHECK(text_of(desk.driver().hover("Rollouts/Play/Pace/By step")) == "");
+  desk.frames(2);
+  CHECK(text_of(desk.driver().key("Space")) == "");
+  desk.frames(10);
+  CHECK(desk.present("Rollouts/Play/Pause"));
+  CHECK(desk.state.rollouts.reach);
+  CHECK(desk.last<workbench::Play>() == nullptr);
+  CHECK(text_of(desk.driver().key("Space")) == "");
+  desk.frames(2);
+  CHECK(desk.present("Rollouts/Play/Play"));
+  desk.click("Rollouts/Page/Table");
+  CHECK(text_of(desk.driver().key("Space")) == "");
+  CHECK(desk.last<workbench::Play>() != nullptr);
+}
+
+TEST_CASE("the band says how many of all still go on") {
+  PlayedDesk desk("Spread");
+  const auto& band = desk.state.insight->band;
+  CHECK(desk.value("Rollouts/Deviation/Band").ends_with("40 of 40 go on"));
+  const Result<Item> item = desk.driver().item("Rollouts/Deviation/Band");
+  REQUIRE(item);
+  // From its middle far to the right: the last step.
+  CHECK(text_of(desk.driver().drag("Rollouts/Deviation/Band", 0.48F * item->rect.width(), 0)) == "");
+  desk.frames(2);
+  const std::string last = std::to_string(band.count.size() - 1);
+  CHECK(desk.value("Rollouts/Deviation/Band").starts_with("step " + last + ": "));
+  CHECK(desk.value("Rollouts/Deviation/Band").ends_with(", " + std::to_string(band.count.back()) + " of 40 go on"));
 }
 
 }  // namespace trocar::ui

@@ -176,11 +176,22 @@ TEST_CASE("rows are exported under the name that was typed, and copied as the co
   desk.click("Rollouts/Page/Chance");
   CHECK(text_of(desk.driver().type("Rollouts/Export/File", "mine.csv")) == "");
   CHECK(desk.driver().frames(2));
-  desk.click("Rollouts/Export/Export CSV");
+  desk.click("Rollouts/Export/Export");
   REQUIRE(desk.last<workbench::ExportRollouts>() != nullptr);
   CHECK(desk.last<workbench::ExportRollouts>()->path == "mine.csv");
   desk.click("Rollouts/Export/Copy as command");
   CHECK(desk.window.clipboard() == "trocar rollout run /data/pegs.trocar 3 --starts around:3 --out mine.csv");
+  desk.click("Rollouts/Export/Kind of file/HDF5");
+  desk.click("Rollouts/Export/Copy as command");
+  CHECK(desk.window.clipboard() == "trocar rollout run /data/pegs.trocar 3 --starts around:3 --out mine.h5");
+  desk.click("Rollouts/Export/Export");
+  CHECK(desk.last<workbench::ExportRollouts>()->path == "mine.h5");
+  desk.click("Rollouts/Export/Kind of file/CSV");
+  desk.click("Rollouts/Export/Rows/Band");
+  desk.click("Rollouts/Export/Export");
+  CHECK(desk.last<workbench::ExportRollouts>()->rows == workbench::RolloutRows::kBand);
+  desk.click("Rollouts/Export/Copy as command");
+  CHECK(desk.window.clipboard() == "trocar rollout run /data/pegs.trocar 3 --starts around:3 --band mine.csv");
 }
 
 TEST_CASE("rows of erring and of the simulator are offered once they are known of these starts, with their commands") {
@@ -188,7 +199,7 @@ TEST_CASE("rows of erring and of the simulator are offered once they are known o
   desk.click("Rollouts/Page/Chance");
   const auto reason = [&desk](const std::string& rows) {
     desk.click("Rollouts/Export/Rows/" + rows);
-    return desk.driver().item("Rollouts/Export/Export CSV").value().reason;
+    return desk.driver().item("Rollouts/Export/Export").value().reason;
   };
   const auto copied = [&desk]() {
     desk.click("Rollouts/Export/Copy as command");
@@ -214,12 +225,12 @@ TEST_CASE("rows of erring and of the simulator are offered once they are known o
   CHECK(reason("Erring").empty());
   CHECK(copied() ==
         "trocar rollout run /data/pegs.trocar 3 --starts around:3 --epsilon 0.1 --runs 7 --seed 9 --out rollouts.csv");
-  desk.click("Rollouts/Export/Export CSV");
+  desk.click("Rollouts/Export/Export");
   CHECK(desk.last<workbench::ExportRollouts>()->rows == workbench::RolloutRows::kErring);
   CHECK(reason("Simulator").empty());
   CHECK(copied() ==
         "trocar rollout physics /data/pegs.trocar 3 --starts around:3 --seed 4 --continuous --out rollouts.csv");
-  desk.click("Rollouts/Export/Export CSV");
+  desk.click("Rollouts/Export/Export");
   CHECK(desk.last<workbench::ExportRollouts>()->rows == workbench::RolloutRows::kSimulated);
   view.starts = "all";
   desk.state.monte_carlo = std::make_shared<const workbench::MonteCarloView>(view);

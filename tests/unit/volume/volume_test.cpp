@@ -107,3 +107,49 @@ TEST_CASE("the picture does not depend on the threads, and a coarse one is nearl
   CHECK(difference(fine, coarse).mean < 1.5);
   CHECK(difference(fine, Image(kWidth, kHeight, {0, 0, 0, 255})).mean > 5.0);
 }
+
+TEST_CASE("the curve says which values hide, also those between two cells that do not") {
+  auto field = all_of(0.0);
+  // The near half at one end of the scale, the far half at the other: the middle of it lies between two cells only.
+  for (int s = 0; s < field->grid.cell_count(); ++s) {
+    if (field->grid.coordinates({s}).x >= 11) field->values[static_cast<std::size_t>(s)] = 1.0;
+  }
+  const Image black(kWidth, kHeight, {0, 0, 0, 255});
+  volume::MarchOptions options;
+  const auto centre = [&]() { return drawn(field, options).at(kWidth / 2, kHeight / 2); };
+  const auto light = [](const Rgba& colour) { return colour.r + colour.g + colour.b; };
+  options.curve = plot::OpacityCurve{{{0.0, 0.0}, {1.0, 0.0}}};
+  CHECK(drawn(field, options) == black);
+  options.curve = plot::OpacityCurve{{{0.0, 0.0}, {0.5, 1.0}, {1.0, 0.0}}};
+  const Rgba between = centre();
+  CHECK(light(between) > 30);
+  options.curve = plot::opacity_curve(plot::OpacityPreset::kHighest);
+  const Rgba highest = centre();
+  options.curve = plot::opacity_curve(plot::OpacityPreset::kLowest);
+  const Rgba lowest = centre();
+  const Rgba yellow = plot::Colouring{}.colour(1.0);
+  const Rgba violet = plot::Colouring{}.colour(0.0);
+  CHECK(std::abs(highest.r - yellow.r) < 12);
+  CHECK(std::abs(lowest.r - violet.r) < 12);
+  options.curve = plot::OpacityCurve{{{0.0, 0.1}}};
+  options.opacity = 1.0F;
+  // Level: 22 cells, each of which hides 0.75 · 0.1².
+  CHECK(light(centre()) < light(highest) / 2);
+  CHECK(light(centre()) > 0);
+}
+
+TEST_CASE("another curve than before is heeded by one that has drawn before") {
+  const auto field = all_of(1.0);
+  volume::Marcher marcher;
+  const auto again = [&](const std::optional<plot::OpacityCurve>& curve) {
+    Image picture(kWidth, kHeight, {0, 0, 0, 255});
+    volume::MarchOptions options;
+    options.curve = curve;
+    marcher.draw(picture, std::vector<float>(std::size_t{kWidth} * kHeight, 1e9F), camera(), field, {}, options);
+    return picture;
+  };
+  const Image black(kWidth, kHeight, {0, 0, 0, 255});
+  CHECK(again(plot::opacity_curve(plot::OpacityPreset::kLowest)) == black);
+  CHECK(again(plot::opacity_curve(plot::OpacityPreset::kHighest)) != black);
+  CHECK(again(plot::opacity_curve(plot::OpacityPreset::kLowest)) == black);
+}

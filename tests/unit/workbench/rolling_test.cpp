@@ -149,6 +149,47 @@ TEST_CASE("what is played is drawn as far as it has come, each rollout with its 
   CHECK(maker.make(paths) == whole);
 }
 
+TEST_CASE("ghosts outside of what is brushed step back, grey and thinner, and none is brushed without a range") {
+  InsightRequest request;
+  request.entry = entry_of(learning::Method::kExact);
+  request.rollouts.ghost_count = 20;
+  PathsRequest paths;
+  paths.rollouts = InsightMaker().make(request);
+  const std::vector<learning::Rollout>& ghosts = paths.rollouts->ghosts;
+  PathMaker maker;
+  const auto whole = maker.make(paths);
+  REQUIRE(whole->size() == ghosts.size());
+  const auto steps = [](const learning::Rollout& one) { return static_cast<double>(one.cells.size() - 1); };
+  const double most = steps(*std::max_element(ghosts.begin(), ghosts.end(),
+                                              [&](const auto& a, const auto& b) { return steps(a) < steps(b); }));
+  paths.how.brushed = {{learning::RolloutMeasure::kSteps, most, most}};
+  const auto brushed = maker.make(paths);
+  REQUIRE(brushed->size() == ghosts.size());
+  int stepped_back = 0;
+  for (std::size_t i = 0; i < ghosts.size(); ++i) {
+    const bool kept = steps(ghosts[i]) == most;
+    CHECK((*brushed)[i].points == (*whole)[i].points);
+    CHECK(((*brushed)[i].colours == (*whole)[i].colours) == kept);
+    CHECK(((*brushed)[i].radius_m < (*whole)[i].radius_m) == !kept);
+    stepped_back += kept ? 0 : 1;
+  }
+  CHECK(stepped_back > 0);
+  CHECK(stepped_back < static_cast<int>(ghosts.size()));
+  paths.how.brushed.clear();
+  CHECK(maker.make(paths) == whole);
+}
+
+TEST_CASE("the band of rollouts has a row for each step, and too few starts have none") {
+  const auto entry = entry_of(learning::Method::kExact);
+  const auto starts = learning::starts_around(*entry->model, 2);
+  const Result<std::string> rows = band_rows(*entry->model, starts);
+  REQUIRE(rows);
+  CHECK(rows->find("\n0," + std::to_string(starts.size()) + ",1,") != std::string::npos);
+  const auto few = band_rows(*entry->model, {starts[0], starts[1]});
+  REQUIRE_FALSE(few);
+  CHECK(few.error().code() == ErrorCode::kInvalidArgument);
+}
+
 TEST_CASE("a start of another lattice is not selected, and starts that cannot be read are none with a reason") {
   InsightRequest request;
   request.entry = entry_of(learning::Method::kExact);
