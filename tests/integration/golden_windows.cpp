@@ -252,7 +252,6 @@ std::vector<Scene> scenes() {
           {"rollouts_map", PanelId::kRollouts, with_failures(), {}, {640, 1100}},
           {"rollouts_table", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Table"), {640, 900}},
           {"rollouts_paths", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Paths"), {640, 1100}},
-          {"rollouts_spread", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Spread"), {640, 900}},
           {"rollouts_pair", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Two models"), {640, 900}}};
 }
 
