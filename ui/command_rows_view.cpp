@@ -46,7 +46,7 @@ Requests comparison_in_view(const State& state) {
   return one(Command{CompareWith{settings}});
 }
 
-constexpr std::array<RowData, 19> kViewRows{{
+constexpr std::array<RowData, 20> kViewRows{{
     {"view.library",
      "View",
      "Library workspace",

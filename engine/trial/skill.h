@@ -1,9 +1,16 @@
 /// How well a scripted operator sees, aims and moves: the numbers behind expert, trained and novice.
 #pragma once
 
-#include "engine/trial/transfer_session.h"
+#include <string_view>
+
+#include "engine/core/result.h"
 
 namespace trocar::trial {
+
+enum class Skill { kExpert, kTrained, kNovice };
+std::string_view to_string(Skill skill);
+/// Errors: kInvalidArgument with the names that there are.
+Result<Skill> skill_from(std::string_view text);
 
 /// Hand quantities are at the hand controller, all others at the tool. σ is a standard deviation.
 struct SkillParameters {

@@ -13,12 +13,9 @@
 #include "engine/simulation/world.h"
 #include "engine/trial/live_session.h"
 #include "engine/trial/operator_input.h"
+#include "engine/trial/skill.h"
 
 namespace trocar::trial {
-
-enum class Skill { kExpert, kTrained, kNovice };
-std::string_view to_string(Skill skill);
-Result<Skill> skill_from(std::string_view text);
 
 struct TransferOptions {
   Skill skill = Skill::kExpert;

@@ -9,7 +9,6 @@
 #include "engine/demonstration/recording.h"
 #include "engine/trial/agent.h"
 #include "engine/trial/skill.h"
-#include "engine/trial/transfer_session.h"
 
 namespace trocar::trial {
 

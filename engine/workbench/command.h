@@ -27,11 +27,8 @@
 #include "engine/workbench/field_settings.h"
 #include "engine/workbench/import_settings.h"
 #include "engine/workbench/job_view.h"
-<<<<<<< HEAD
-#include "engine/workbench/trial_plan.h"
-=======
 #include "engine/workbench/plot_settings.h"
->>>>>>> origin/lab5
+#include "engine/workbench/trial_plan.h"
 
 namespace trocar::workbench {
 
@@ -368,17 +365,10 @@ using Command =
                  SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch,
                  NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping,
                  SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetFieldLayers,
-<<<<<<< HEAD
-                 SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, RecordScripted, StopRecording,
-                 RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay, SimulateDemonstration,
-                 FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport, MakeImport,
-                 ExportDemonstrations, CancelJob, Report, StartTrials, StartBlock, PauseTrials, StopTrial, EndTrials,
-                 MarkIncident, ExportTrials>;
-=======
                  SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, ExportPlot, RecordScripted,
                  StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay,
                  SimulateDemonstration, FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport,
-                 MakeImport, ExportDemonstrations, CancelJob, Report>;
->>>>>>> origin/lab5
+                 MakeImport, ExportDemonstrations, CancelJob, Report, StartTrials, StartBlock, PauseTrials, StopTrial,
+                 EndTrials, MarkIncident, ExportTrials>;
 
 }  // namespace trocar::workbench

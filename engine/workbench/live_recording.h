@@ -42,7 +42,7 @@ class LiveRecording {
   struct End {
     Result<DemonstrationId> demonstration;  ///< kCancelled if it was discarded.
     std::string message;
-    std::optional<trial::TrialRecord> trial;  ///< Of a trial, whose id `demonstration` then is.
+    std::optional<trial::TrialRecord> trial{};  ///< Of a trial, whose id `demonstration` then is.
   };
   /// Writes what arrived; the end, once.
   std::optional<End> poll();

@@ -18,38 +18,38 @@ std::string_view to_string(TrialsPhase phase) {
 
 void Workbench::Impl::on(const StartTrials& command) {
   if (!can_record()) return;
-  TrialsView view;
-  view.request = command;
+  TrialsView trials;
+  trials.request = command;
   if (command.protocol.empty()) {
     trial::ProtocolBlock block;
     block.name = command.plan.options.mode == trial::Mode::kShared ? "Shared control" : "Manual";
     block.mode = command.plan.options.mode;
     block.transfers = command.plan.transfers;
     block.delay = control::to_string(command.plan.options.delay);
-    view.blocks.push_back(std::move(block));
+    trials.blocks.push_back(std::move(block));
   } else {
     const Result<trial::Protocol> protocol = trial::find_protocol(command.protocol);
     if (!protocol) return log(Severity::kError, protocol.error().text());
-    view.protocol = protocol->name;
-    view.blocks = trial::order_for(*protocol, command.subject_number, command.order_seed);
-    view.request.plan.options.time_limit_s = protocol->transfer_s;
+    trials.protocol = protocol->name;
+    trials.blocks = trial::order_for(*protocol, command.subject_number, command.order_seed);
+    trials.request.plan.options.time_limit_s = protocol->transfer_s;
   }
   // What cannot be run is said before anybody sits down.
-  for (std::size_t i = 0; i < view.blocks.size(); ++i) {
-    TrialPlan plan = view.request.plan;
-    plan.options.mode = view.blocks[i].mode;
+  for (std::size_t i = 0; i < trials.blocks.size(); ++i) {
+    TrialPlan plan = trials.request.plan;
+    plan.options.mode = trials.blocks[i].mode;
     const auto agents = agents_for(*state.project, plan, plan.first_block);
     if (!agents) return log(Severity::kError, agents.error().text());
     if (plan.options.mode == trial::Mode::kShared && agents->empty()) {
       return log(Severity::kError, "Shared control needs a model: train one of segment A or C");
     }
-    if (const auto delay = control::delay_from(view.blocks[i].delay); !delay) {
+    if (const auto delay = control::delay_from(trials.blocks[i].delay); !delay) {
       return log(Severity::kError, delay.error().text());
     }
   }
-  if (view.request.plan.session.empty()) view.request.plan.session = iso_time(options.clock->unix_s());
+  if (trials.request.plan.session.empty()) trials.request.plan.session = iso_time(options.clock->unix_s());
   trials_end_asked = false;
-  state.trials = std::move(view);
+  state.trials = std::move(trials);
   state.play_speed = 0.0;
   dirty = true;
   on(StartBlock{});
@@ -57,12 +57,12 @@ void Workbench::Impl::on(const StartTrials& command) {
 
 void Workbench::Impl::on(const StartBlock&) {
   if (!state.trials || recording) return;
-  TrialsView& view = *state.trials;
-  view.paused = false;
-  if (view.phase == TrialsPhase::kDone || view.block >= static_cast<int>(view.blocks.size())) return;
-  if (view.phase != TrialsPhase::kPaused) {
-    view.transfer = view.successes = view.drops = 0;
-    view.block_s = 0.0;
+  TrialsView& trials = *state.trials;
+  trials.paused = false;
+  if (trials.phase == TrialsPhase::kDone || trials.block >= static_cast<int>(trials.blocks.size())) return;
+  if (trials.phase != TrialsPhase::kPaused) {
+    trials.transfer = trials.successes = trials.drops = 0;
+    trials.block_s = 0.0;
   }
   begin_transfer();
 }
@@ -72,26 +72,26 @@ void Workbench::Impl::begin_transfer() {
     state.trials->phase = TrialsPhase::kPaused;
     return;
   }
-  TrialsView& view = *state.trials;
+  TrialsView& trials = *state.trials;
   TrialStart start;
   // The delays were looked at when the trials were prepared.
-  start.plan = plan_of(view.request.plan, view.blocks, static_cast<std::size_t>(view.block)).value();
-  start.transfer = view.transfer;
-  start.person = view.request.person;
-  start.realtime = view.request.realtime;
+  start.plan = plan_of(trials.request.plan, trials.blocks, static_cast<std::size_t>(trials.block)).value();
+  start.transfer = trials.transfer;
+  start.person = trials.request.person;
+  start.realtime = trials.request.realtime;
   auto started = LiveRecording::start(*file, start);
   if (!started) {
-    view.phase = TrialsPhase::kPaused;
+    trials.phase = TrialsPhase::kPaused;
     return log(Severity::kError, started.error().text());
   }
   recording = std::move(*started);
-  view.phase = TrialsPhase::kRunning;
+  trials.phase = TrialsPhase::kRunning;
   on(EndPreview{});
 }
 
 void Workbench::Impl::conclude_transfer(const LiveRecording::End& end) {
-  TrialsView& view = *state.trials;
-  view.phase = TrialsPhase::kPaused;
+  TrialsView& trials = *state.trials;
+  trials.phase = TrialsPhase::kPaused;
   if (!end.demonstration) {
     log(Severity::kError, end.demonstration.error().text());
     return;
@@ -100,10 +100,10 @@ void Workbench::Impl::conclude_transfer(const LiveRecording::End& end) {
   state.demonstration = *end.demonstration;
   state.playhead_s = 0.0;
   if (!end.trial) return;
-  ++view.transfer;
-  view.block_s += end.trial->duration_s;
-  view.successes += end.trial->outcome == demonstration::Outcome::kSuccess ? 1 : 0;
-  view.drops += end.trial->outcome == demonstration::Outcome::kDropped ? 1 : 0;
+  ++trials.transfer;
+  trials.block_s += end.trial->duration_s;
+  trials.successes += end.trial->outcome == demonstration::Outcome::kSuccess ? 1 : 0;
+  trials.drops += end.trial->outcome == demonstration::Outcome::kDropped ? 1 : 0;
   if (trials_end_asked) {
     state.trials.reset();
     return;
@@ -112,18 +112,18 @@ void Workbench::Impl::conclude_transfer(const LiveRecording::End& end) {
 }
 
 void Workbench::Impl::go_on_with_trials() {
-  TrialsView& view = *state.trials;
-  const trial::ProtocolBlock& block = view.blocks[static_cast<std::size_t>(view.block)];
-  if (!trial::block_over(block, view.transfer, view.successes, view.block_s)) {
+  TrialsView& trials = *state.trials;
+  const trial::ProtocolBlock& block = trials.blocks[static_cast<std::size_t>(trials.block)];
+  if (!trial::block_over(block, trials.transfer, trials.successes, trials.block_s)) {
     // Stopped or paused by somebody: it waits for them.
-    if (!view.paused) begin_transfer();
+    if (!trials.paused) begin_transfer();
     return;
   }
-  view.rest_s = block.rest_s;
-  ++view.block;
-  view.transfer = 0;
-  const bool more = view.block < static_cast<int>(view.blocks.size());
-  view.phase = !more ? TrialsPhase::kDone : view.rest_s > 0.0 ? TrialsPhase::kResting : TrialsPhase::kReady;
+  trials.rest_s = block.rest_s;
+  ++trials.block;
+  trials.transfer = 0;
+  const bool more = trials.block < static_cast<int>(trials.blocks.size());
+  trials.phase = !more ? TrialsPhase::kDone : trials.rest_s > 0.0 ? TrialsPhase::kResting : TrialsPhase::kReady;
   log(Severity::kInfo, more ? "The block is over" : "All blocks are over");
 }
 

@@ -63,6 +63,10 @@ std::string next_words(Segment segment, trial::Mode mode) {
   return "";
 }
 
+std::string presses_words(int presses) {
+  return presses == 1 ? "1 press" : fmt::format("{} presses", presses);
+}
+
 void draw_lamp(Ui& ui, const char* name, const char* meaning, bool down, const std::string& more, Rgba colour,
                float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -162,13 +166,13 @@ void pedal_lamps(Ui& ui, const trial::TrialStatus& status) {
   const float gap = ui.px(8);
   const bool beside = room >= ui.px(360);
   const float width = beside ? 0.5F * (room - gap) : room;
-  std::string presses = counted(status.agent_presses, "press", "presses");
+  std::string presses = presses_words(status.agent_presses);
   if (status.pedal_stuck) presses = "down since the beginning: stuck?";
   draw_lamp(ui, "AGENT: hold to run", "Left pedal: the agent moves the tool in A and C while it is held",
             status.agent_pedal, presses, authority_colour(Authority::kAgent), width);
   if (beside) ImGui::SameLine(0.0F, gap);
   draw_lamp(ui, "CLUTCH", "Right pedal: the hand moves, the tool holds", status.clutch_pedal,
-            counted(status.counts.clutches, "press", "presses"), ui.theme().warning, width);
+            presses_words(status.counts.clutches), ui.theme().warning, width);
 }
 
 void control_states(Ui& ui, ControlState now) {

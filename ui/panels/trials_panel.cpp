@@ -32,7 +32,7 @@ std::string limit_words(const trial::ProtocolBlock& block) {
   if (block.time_s) add(fmt::format("{:.0f} min", *block.time_s / 60.0));
   if (block.transfers) add(counted(static_cast<std::size_t>(*block.transfers), "transfer"));
   if (block.successes)
-    add(counted(static_cast<std::size_t>(*block.successes), "success") + (*block.successes > 1 ? "" : ""));
+    add(fmt::format("{} that succeed", *block.successes));
   return words;
 }
 
