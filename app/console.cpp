@@ -76,7 +76,7 @@ Status Console::print(const Answer& answer) {
 }
 
 void Console::print_error(const Error& error) const {
-  fmt::print(stderr, "trocar: {}\n", error.text());
+  fmt::print(stderr, "{}: {}\n", program, error.text());
 }
 
 ExitCode Console::give_up(const Error& error) const {

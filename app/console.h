@@ -33,8 +33,9 @@ class Console {
   bool json = false;
   bool quiet = false;
   bool verbose = false;
-  int script_depth = 0;     ///< Scripts that run each other.
-  Diagnostics diagnostics;  ///< Printed after the command, each once.
+  const char* program = "trocar";  ///< Errors begin with it.
+  int script_depth = 0;            ///< Scripts that run each other.
+  Diagnostics diagnostics;         ///< Printed after the command, each once.
   std::shared_ptr<const Clock> clock = std::make_shared<SystemClock>();
 
   Progress& progress() { return *progress_; }

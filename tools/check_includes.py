@@ -32,6 +32,7 @@ OWNERS = [
     (r"CLI/", {"app"}),
     (r"boost/math/", {"statistics"}),
     (r"(asio|rclcpp/)", {"link"}),
+    (r"(google/protobuf/|link/hand\.pb\.h)", {"link"}),
     (r"spnav", {"device"}),
     (r"(doctest|rapidcheck|benchmark/)", {"tests"}),
 ]

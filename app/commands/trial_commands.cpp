@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "app/commands/trial_commands.h"
+#include "app/commands/trial_live_command.h"
 #include "app/lookup.h"
 #include "app/options.h"
 #include "engine/workbench/jobs/trial_job.h"
@@ -23,6 +24,7 @@ struct RunTrialArguments {
   std::string delay = "0";
   std::string anchor = "board";
   int block = -1;
+  LiveTrialArguments live;
   workbench::TrialPlan plan;
 };
 
@@ -43,9 +45,11 @@ void bind_run(CLI::App& verb, RunTrialArguments& arguments) {
       ->take_all();
   verb.add_option("--model-c", arguments.model_c, "Model of segment C; without either, those that the project has")
       ->take_all();
-  verb.add_option("--operator", arguments.operator_kind, "scripted: everything it makes is marked so")
-      ->check(CLI::IsMember({"scripted"}))
+  verb.add_option("--operator", arguments.operator_kind,
+                  "scripted: everything it makes is marked so; tcp: a hand controller's console, in real time")
+      ->check(CLI::IsMember({"scripted", "tcp"}))
       ->capture_default_str();
+  bind_live(verb, arguments.live);
   verb.add_option("--skill", arguments.skill, "expert, trained or novice")
       ->check(CLI::IsMember({"expert", "trained", "novice"}))
       ->capture_default_str();
@@ -78,6 +82,8 @@ void bind_run(CLI::App& verb, RunTrialArguments& arguments) {
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
 }
+
+}  // namespace
 
 Json json_of(const workbench::TrialEntry& trial) {
   const trial::TrialRecord& record = trial.record;
@@ -123,6 +129,8 @@ std::string row_of(const workbench::TrialEntry& trial) {
                      record.placed ? "placed" : "not placed", trial.excluded ? "  excluded: " + trial.reason : "");
 }
 
+namespace {
+
 Result<std::vector<workbench::RanTrial>> run_protocol(const workbench::Project& project, workbench::TrialPlan plan,
                                                       const RunTrialArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const trial::Protocol protocol, trial::find_protocol(arguments.protocol));
@@ -167,6 +175,10 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
       warn_if_stale(*file.project(), *entry, console);
       plan.models.push_back(entry->id);
     }
+  }
+  if (arguments.operator_kind == "tcp") return run_live_command(file, plan, arguments.live, console);
+  if (arguments.live.given()) {
+    return fail(ErrorCode::kInvalidArgument, "--listen, --wait and --realtime are for --operator tcp");
   }
   const double begin_s = console.clock->now_s();
   std::vector<workbench::RanTrial> ran;
@@ -304,7 +316,8 @@ Result<Answer> judge_trial(const TrialArguments& arguments, Console& console) {
 
 void add_trial_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun = *root.add_subcommand("trial", "Manual and shared-control trials")->require_subcommand(1);
-  add_verb<RunTrialArguments>(noun, chosen, "run", "Run transfers by scripted operators, faster than real time",
+  add_verb<RunTrialArguments>(noun, chosen, "run",
+                              "Run transfers by scripted operators faster than real time, or one by a person's console",
                               bind_run, run_trials_command);
   const auto bind_list = [](CLI::App& verb, ListTrialsArguments& arguments) {
     verb.add_option("PROJECT", arguments.project, "The project file")->required();

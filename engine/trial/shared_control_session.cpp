@@ -37,11 +37,13 @@ simulation::WorldOptions world_options(const TrialOptions& options) {
   return world;
 }
 
-demonstration::Provenance provenance_of(const TrialOptions& options, const simulation::World& world, bool scripted) {
+demonstration::Provenance provenance_of(const TrialOptions& options, const simulation::World& world,
+                                        const OperatorInput* person) {
+  const bool scripted = person == nullptr;
   demonstration::Provenance provenance;
   provenance.operator_kind = scripted ? "scripted" : "person";
   if (scripted) provenance.skill = to_string(options.skill);
-  provenance.device = scripted ? "scripted hand" : "hand controller";
+  provenance.device = scripted ? "scripted hand" : std::string(person->name());
   provenance.seed = options.seed;
   provenance.block = options.block;
   provenance.goal = options.goal;
@@ -93,7 +95,7 @@ struct SharedControlSession::Impl {
   Impl(TrialOptions options_in, TrialInputs inputs)
       : options(std::move(options_in)),
         world(world_options(options)),
-        provenance(provenance_of(options, world, inputs.user == nullptr)),
+        provenance(provenance_of(options, world, inputs.user)),
         initial_world(world.snapshot().bytes),
         task(options.block, options.goal),
         arms{SimulatedArm(world, ArmSide::kLeft), SimulatedArm(world, ArmSide::kRight)},
@@ -128,7 +130,7 @@ struct SharedControlSession::Impl {
       // The scene is the simulator's own: its arms are homed, enabled and where they say.
       const Status armed = guard.arm(arms[i].feedback(), stamp());
       if (!armed) log(TrialEventKind::kGuard, armed.error().text());
-      look(i, false);
+      look(i, {true, false, now()});
     }
     left.guard().set_safe_set([this](const Eigen::Vector3d& p_W) {
       const Agent* agent = agent_of(task.segment());
@@ -138,14 +140,14 @@ struct SharedControlSession::Impl {
 
   control::Guard& guards(std::size_t i) { return i == 0 ? left.guard() : right.guard(); }
 
-  /// `present`: the operator is at the controller, the assistant at theirs.
-  void look(std::size_t i, bool present) {
+  /// `link`: of the operator to the left arm, of the assistant to the right one.
+  void look(std::size_t i, const LinkState& link) {
     control::GuardLook look;
     look.now = stamp();
     look.feedback = arms[i].feedback();
-    look.dead_man = present;
-    look.dead_man_stamp = stamp();
-    look.connected = true;
+    look.dead_man = link.present;
+    look.dead_man_stamp = Tick{link.stamp.count + 1};
+    look.connected = link.connected;
     look.soft_stop = stopping;
     guards(i).look(look);
   }
@@ -238,11 +240,26 @@ struct SharedControlSession::Impl {
     if (state == Agent::State::kStuck) log(TrialEventKind::kAgent, "knows no move and rests");
   }
 
-  /// Both hands are looked at every sample; what the operator's does arrives by its delay.
+  /// Both hands are looked at every sample; what the operator's does arrives by its delay, and nothing does while the
+  /// link is cut.
   void ask_inputs() {
-    line.send(user->sample(world.state()), now());
+    const HandSample hand = user->sample(world.state());
+    user_link = user->link(now());
+    if (user_link.connected) line.send(hand, now());
     hand_right = assistant->sample(world.state());
     if (now().count == 0) right.take_over(hand_right);
+  }
+
+  /// In the ticks between: what does not wait, and how the link stands.
+  void ask_for_news() {
+    const std::optional<HandSample> news = user->news(now());
+    user_link = user->link(now());
+    if (news && user_link.connected) line.send(*news, now());
+  }
+
+  /// What the arm hears of its operator is as old as the last that has come through the delay, too.
+  LinkState heard() const {
+    return {user_link.connected, user_link.present && line.any(), std::min(user_link.stamp, line.arrived_at())};
   }
 
   /// New setpoints for what is left of the sample; the right arm's stand once they are made.
@@ -274,12 +291,16 @@ struct SharedControlSession::Impl {
   void step() {
     stopping = stop_asked.exchange(false);
     while (std::optional<std::string> incident = incidents.pop()) log(TrialEventKind::kIncident, std::move(*incident));
-    if (sub == 0) ask_inputs();
+    if (sub == 0) {
+      ask_inputs();
+    } else {
+      ask_for_news();
+    }
     const bool anybody = line.any();
     line.receive(now());
     if (!anybody && line.any()) left.take_over(line.sample());
-    look(0, line.any());
-    look(1, line.any());
+    look(0, heard());
+    look(1, {true, line.any(), now()});
     left_moves = left_moves || left.guard().state() == control::GuardState::kMoving;
     look_at_authority();
     if (stopping && !stopped) end_by_stop();
@@ -392,6 +413,7 @@ struct SharedControlSession::Impl {
   GuardedArm left;
   GuardedArm right;
   HandLine line;
+  LinkState user_link;
   std::unique_ptr<ScriptedUser> scripted_user;
   std::unique_ptr<ScriptedAssistant> scripted_assistant;
   OperatorInput* user = nullptr;
