@@ -442,7 +442,10 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
   if (const auto* trials = std::get_if<StartTrials>(&command)) return trials_text(*trials, project);
   if (const auto* out = std::get_if<ExportTrials>(&command)) {
     return fmt::format("trocar trial results {} {} {}", project,
-                       out->path.extension() == ".html" ? "--report" : "--trials", shell_word(out->path.string()));
+                       out->path.extension() == ".html"  ? "--report"
+                       : out->path.extension() == ".csv" ? "--trials"
+                                                         : "--figure",
+                       shell_word(out->path.string()));
   }
   if (const auto* train = std::get_if<TrainModel>(&command)) return train_text(*train, project);
   if (std::holds_alternative<MakeImport>(command)) return import_text(state, project);

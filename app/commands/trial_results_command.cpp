@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/commands/print_arguments.h"
 #include "app/commands/trial_commands.h"
 #include "app/lookup.h"
 #include "engine/core/file.h"
@@ -16,6 +17,8 @@ struct ResultsArguments {
   std::string trials;
   std::string segments;
   std::string report;
+  std::string figure;
+  std::string preset;
 };
 
 void bind_results(CLI::App& verb, ResultsArguments& arguments) {
@@ -24,6 +27,8 @@ void bind_results(CLI::App& verb, ResultsArguments& arguments) {
   verb.add_option("--trials", arguments.trials, "F.csv: one row for each trial");
   verb.add_option("--segments", arguments.segments, "F.csv: one row for each segment of each trial");
   verb.add_option("--report", arguments.report, "F.html: the comparison as a page");
+  verb.add_option("--figure", arguments.figure, "F.png, F.svg or F.pdf: bars with their spread, and each pair");
+  verb.add_option("--preset", arguments.preset, kPresetHelp);
 }
 
 Json number_or_null(double value) {
@@ -54,6 +59,10 @@ Result<Answer> run_results(const ResultsArguments& arguments, Console& console) 
                                      std::pair{arguments.report, ".html"}}) {
     if (!file.empty()) TROCAR_RETURN_IF_ERROR(check_output(file, arguments.project, {ending}));
   }
+  if (!arguments.figure.empty()) {
+    TROCAR_RETURN_IF_ERROR(check_output(arguments.figure, arguments.project, {".png", ".svg", ".pdf"}));
+    if (!arguments.preset.empty()) TROCAR_RETURN_IF_ERROR(figure::print_from(arguments.preset).map([](const auto&) {}));
+  }
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
                           open_to_read(arguments.project, console, Models::kDescribed));
   const workbench::Project& project = *file.project();
@@ -73,6 +82,9 @@ Result<Answer> run_results(const ResultsArguments& arguments, Console& console) 
   if (!arguments.report.empty()) {
     const std::string title = arguments.session.empty() ? "Trials" : "Trials of session " + arguments.session;
     TROCAR_RETURN_IF_ERROR(write_file(arguments.report, workbench::results_html(results, title)));
+  }
+  if (!arguments.figure.empty()) {
+    TROCAR_RETURN_IF_ERROR(workbench::write_results_figure(trials, results, arguments.preset, arguments.figure));
   }
   const workbench::PairedResults& paired = results.paired;
   Answer answer;

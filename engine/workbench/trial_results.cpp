@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+#include "engine/core/ending.h"
+#include "engine/media/picture_file.h"
 #include "engine/statistics/summary.h"
 
 namespace trocar::workbench {
@@ -92,6 +94,38 @@ Trials counted_trials(const Project& project, const std::string& session) {
     if (!trial->excluded && (session.empty() || trial->record.session == session)) trials.push_back(trial);
   }
   return trials;
+}
+
+figure::PairedFigure results_figure(const Trials& trials, const TrialResults& results) {
+  figure::PairedFigure drawn;
+  drawn.title = "Manual and shared control";
+  drawn.label = operators_label(results);
+  drawn.scripted = results.scripted;
+  drawn.unit = "s, of those that succeed";
+  drawn.measures = {{"all", {}}, {"A", {}}, {"B", {}}, {"C", {}}, {"D", {}}};
+  for (const auto& each : trials) {
+    const TrialRecord& record = each->record;
+    if (record.outcome != Outcome::kSuccess || !record.completion_s) continue;
+    const std::size_t group = record.mode == trial::Mode::kManual ? 0 : 1;
+    drawn.measures[0].values[group].push_back(*record.completion_s);
+    for (std::size_t i = 1; i < drawn.measures.size(); ++i) {
+      drawn.measures[i].values[group].push_back(record.counts.segment_s[i - 1]);
+    }
+  }
+  drawn.pairs_title = "s, the same scene";
+  drawn.pairs = results.paired.completion_s;
+  return drawn;
+}
+
+Status write_results_figure(const Trials& trials, const TrialResults& results, const std::string& preset,
+                            const std::filesystem::path& path) {
+  figure::PairedFigure drawn = results_figure(trials, results);
+  if (!preset.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(drawn.print, figure::print_from(preset));
+  }
+  if (ending_of(path) != ".png") return figure::save_paired(drawn, path);
+  return media::write_png(path, figure::draw_paired(drawn),
+                          drawn.print ? std::optional(drawn.print->dpi) : std::nullopt);
 }
 
 TrialResults results_of(const Trials& trials) {

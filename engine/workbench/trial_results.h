@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/figure/paired_figure.h"
 #include "engine/statistics/paired_tests.h"
 #include "engine/statistics/proportion.h"
 #include "engine/workbench/project.h"
@@ -67,6 +69,11 @@ struct TrialResults {
   bool scripted = false;               ///< Any of them: to be labelled so wherever they are shown.
 };
 TrialResults results_of(const Trials& trials);
+/// Completion and segments of those that succeed, and each pair: to be drawn.
+figure::PairedFigure results_figure(const Trials& trials, const TrialResults& results);
+/// As .png, .svg or .pdf; `preset` of `figure::print_from`, "": for a screen. Errors: kInvalidArgument, kIo.
+Status write_results_figure(const Trials& trials, const TrialResults& results, const std::string& preset,
+                            const std::filesystem::path& path);
 
 /// A line of the table of both modes.
 struct ResultRow {

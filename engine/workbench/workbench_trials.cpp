@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/core/ending.h"
 #include "engine/core/file.h"
 #include "engine/workbench/trial_results.h"
 #include "engine/workbench/workbench_impl.h"
@@ -159,7 +160,12 @@ void Workbench::Impl::on(const ExportTrials& command) {
   if (!project_open() || !is_output(command.path)) return;
   const auto work = [project = state.project, path = command.path](Progress&) -> Result<JobResult> {
     const Trials trials = counted_trials(*project, "");
-    const bool page = path.extension() == ".html";
+    const std::string ending = ending_of(path);
+    if (ending == ".png" || ending == ".svg" || ending == ".pdf") {
+      TROCAR_RETURN_IF_ERROR(write_results_figure(trials, results_of(trials), "", path));
+      return JobResult{fmt::format("{} trials drawn", trials.size()), {}};
+    }
+    const bool page = ending == ".html";
     const std::string text = page ? results_html(results_of(trials), "Trials") : trials_csv(*project, "");
     TROCAR_RETURN_IF_ERROR(write_file(path, text));
     return JobResult{fmt::format("{} trials written", page ? trials.size() : project->trials.size()), {}};

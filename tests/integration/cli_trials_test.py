@@ -76,6 +76,9 @@ class TrialsTest(CommandLineTest):
         self.assertEqual(len(by_segment), 6 * 5)
         self.assertIn("no person took part", page.read_text(encoding="utf-8"))
 
+        for name in ("bars.png", "bars.svg", "bars.pdf"):
+            self.answer("trial", "results", project, "--figure", self.folder / name, "--preset", "column")
+            self.assertGreater((self.folder / name).stat().st_size, 2_000)
         self.answer("trial", "judge", project, "SC 1", "--exclude", "the cat stood on the pedal")
         left = self.answer("trial", "results", project)
         self.assertEqual((left["SC"]["trials"], left["paired"]["pairs"]), (2, 2))

@@ -31,8 +31,7 @@ std::string limit_words(const trial::ProtocolBlock& block) {
   const auto add = [&words](const std::string& more) { words += (words.empty() ? "" : " or ") + more; };
   if (block.time_s) add(fmt::format("{:.0f} min", *block.time_s / 60.0));
   if (block.transfers) add(counted(static_cast<std::size_t>(*block.transfers), "transfer"));
-  if (block.successes)
-    add(fmt::format("{} that succeed", *block.successes));
+  if (block.successes) add(fmt::format("{} that succeed", *block.successes));
   return words;
 }
 
@@ -292,11 +291,12 @@ void TrialsPanel::draw_results(Ui& ui, const WorkbenchState& state, Requests& re
   ImGui::Dummy({0.0F, ui.px(4)});
   form_label(ui, "File");
   text_field(ui, "File", file_, "trials.csv");
-  const bool known = file_.ends_with(".csv") || file_.ends_with(".html");
+  constexpr std::array<std::string_view, 5> kEndings{".csv", ".html", ".png", ".svg", ".pdf"};
+  const bool known = std::any_of(kEndings.begin(), kEndings.end(), [this](auto e) { return file_.ends_with(e); });
   if (button(ui, "Export",
              {.icon = icon::kDownload,
-              .help = "A row for each trial as .csv, or the comparison as a page as .html",
-              .reason = known ? "" : "The name must end in .csv or .html"})) {
+              .help = "A row for each trial as .csv, the comparison as a page (.html) or as bars (.png, .svg, .pdf)",
+              .reason = known ? "" : "The name must end in .csv, .html, .png, .svg or .pdf"})) {
     requests.emplace_back(Command{workbench::ExportTrials{file_}});
   }
 }
