@@ -114,7 +114,7 @@ double unit_of(Band band, int width, int height) {
     case Band::kNone:
       break;
   }
-  return std::min(std::max(height / 720.0, 0.6), width / 320.0);
+  return std::min(std::max(height / 720.0, 0.7), width / 320.0);
 }
 
 int band_height_of(Band band, int width, int height) {

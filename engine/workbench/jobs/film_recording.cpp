@@ -126,11 +126,12 @@ film::FrameCaption RecordingPane::captions(const PaneMoment& moment) const {
   caption.time_s = at_s - source_.in_s;
   caption.duration_s = source_.out_s - source_.in_s;
   caption.title = look_.overlays.has(Overlay::kTitle) ? source_.title : "";
-  if (!look_.overlays.has(Overlay::kSpeed)) caption.speed = 1.0;
+  // The picture around an inset says the speed and has the room for measures.
+  if (!look_.overlays.has(Overlay::kSpeed) || look_.inset) caption.speed = 1.0;
   caption.provenance = source_.provenance;
   caption.scripted = source_.scripted;
   caption.shown = look_.overlays;
-  caption.lines = lines_at(at_s);
+  if (!look_.inset) caption.lines = lines_at(at_s);
   caption.lines_at_right = look_.lines_at_right;
   if (look_.overlays.has(Overlay::kCaptions) && !look_.inset) caption.caption = caption_at(moment.instant);
   if (moment.instant.waiting) caption.status = "waiting";

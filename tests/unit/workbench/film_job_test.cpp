@@ -41,6 +41,8 @@ std::shared_ptr<const demonstration::Demonstration> recorded(std::int64_t id, co
   for (int segment = 0; segment < demonstration::kSegmentCount; ++segment) {
     for (int i = 0; i < lasts[static_cast<std::size_t>(segment)]; ++i, ++index) {
       demonstration::Sample sample = trocar::testing::moving_sample(index);
+      // Jaws down, as the arms can have them: else nothing would be seen to move.
+      for (demonstration::ArmSample& arm : sample.arms) arm.measured.q_wxyz = {0.0F, 1.0F, 0.0F, 0.0F};
       sample.segment = static_cast<Segment>(segment);
       sample.authority = segment == 0 || segment == 2 ? Authority::kAgent : Authority::kOperator;
       if (segment == 4) sample.authority = Authority::kAssistant;
