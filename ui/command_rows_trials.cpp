@@ -9,9 +9,9 @@ using namespace workbench;
 using State = WorkbenchState;
 
 /// Keys of trials mean nothing else while there are any.
-constexpr std::string_view kTrials = "trials";
+constexpr std::string_view kTrialKeys = "trials";
 
-std::string cannot_start(const State& state) {
+std::string cannot_start_trials(const State& state) {
   if (state.trials) return "Trials are prepared already";
   return cannot_record(state);
 }
@@ -31,22 +31,22 @@ std::string cannot_begin_block(const State& state) {
   return state.trials->phase == TrialsPhase::kDone ? "All blocks are over" : "";
 }
 
-Requests start(const State&) {
+Requests prepare_trials(const State&) {
   return {ShowWorkspace{Workspace::kTrials}, ShowPanel{PanelId::kTrials}};
 }
 Requests begin_block(const State&) {
   return one(Command{StartBlock{}});
 }
-Requests pause(const State& state) {
+Requests pause_trials(const State& state) {
   return one(Command{PauseTrials{!state.trials->paused}});
 }
-Requests stop(const State&) {
+Requests stop_trial(const State&) {
   return one(Command{StopTrial{}});
 }
-Requests end(const State&) {
+Requests end_trials(const State&) {
   return one(Command{EndTrials{}});
 }
-Requests mark(const State&) {
+Requests mark_instant(const State&) {
   return one(Command{MarkIncident{}});
 }
 
@@ -58,8 +58,8 @@ constexpr std::array<RowData, 6> kTrialRows{{
      icon::kPlay,
      {},
      true,
-     cannot_start,
-     start},
+     cannot_start_trials,
+     prepare_trials},
     {"trials.block",
      "Edit",
      "Start the block",
@@ -69,7 +69,7 @@ constexpr std::array<RowData, 6> kTrialRows{{
      false,
      cannot_begin_block,
      begin_block,
-     kTrials},
+     kTrialKeys},
     {"trials.pause",
      "Edit",
      "Pause between trials",
@@ -78,8 +78,8 @@ constexpr std::array<RowData, 6> kTrialRows{{
      {"F6"},
      false,
      no_trials,
-     pause,
-     kTrials},
+     pause_trials,
+     kTrialKeys},
     {"trials.mark",
      "Edit",
      "Mark an incident",
@@ -88,8 +88,8 @@ constexpr std::array<RowData, 6> kTrialRows{{
      {"F8"},
      false,
      no_transfer,
-     mark,
-     kTrials},
+     mark_instant,
+     kTrialKeys},
     {"trials.stop",
      "Edit",
      "Stop the trial",
@@ -98,8 +98,8 @@ constexpr std::array<RowData, 6> kTrialRows{{
      {"Escape"},
      false,
      no_transfer,
-     stop,
-     kTrials},
+     stop_trial,
+     kTrialKeys},
     {"trials.end",
      "Edit",
      "End the trials",
@@ -108,8 +108,8 @@ constexpr std::array<RowData, 6> kTrialRows{{
      {},
      false,
      no_trials,
-     end,
-     kTrials},
+     end_trials,
+     kTrialKeys},
 }};
 
 }  // namespace

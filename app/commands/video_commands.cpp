@@ -1,96 +1,96 @@
 #include <fmt/format.h>
 
+#include "app/commands/film_arguments.h"
 #include "app/lookup.h"
 #include "app/options.h"
+#include "engine/core/file.h"
+#include "engine/film/composition_json.h"
 #include "engine/workbench/jobs/film_job.h"
+#include "engine/workbench/jobs/film_sink.h"
 
 namespace trocar::app {
 namespace {
 
 struct RenderArguments {
   std::string project;
-  std::vector<std::string> demonstrations;
+  FilmArguments film;
   std::string out;
-  double fps = 30.0;
-  double speed = 1.0;
-  std::string size = "1280x720";
-  std::string layout;
-  std::string camera = "paper";
-  std::string codec = "auto";
-  bool no_captions = false;
+  std::string write_job;
 };
-
-const std::map<std::string, scene::CameraPreset> kCameras = {{"paper", scene::CameraPreset::kPaper},
-                                                             {"top", scene::CameraPreset::kTop},
-                                                             {"side", scene::CameraPreset::kSide},
-                                                             {"front", scene::CameraPreset::kFront}};
 
 void bind_render(CLI::App& verb, RenderArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
-  verb.add_option("DEMO", arguments.demonstrations, "One demonstration, or two side by side")
-      ->required()
-      ->expected(1, 2);
-  verb.add_option("--out", arguments.out, "F.mp4 (or .mkv, .avi)")->required();
-  verb.add_option("--fps", arguments.fps, "Frames a second")->capture_default_str();
-  verb.add_option("--speed", arguments.speed, "Demonstration seconds for each second of film")->capture_default_str();
-  verb.add_option("--size", arguments.size, "Width and height in pixels, both even")->capture_default_str();
-  verb.add_option("--layout", arguments.layout, "single or side-by-side")
-      ->check(CLI::IsMember({"single", "side-by-side"}));
-  verb.add_option("--camera", arguments.camera, "paper, top, side or front")
-      ->check(CLI::IsMember(kCameras))
-      ->capture_default_str();
-  verb.add_option("--codec", arguments.codec, "auto, or one of `trocar doctor`'s")->capture_default_str();
-  verb.add_flag("--no-captions", arguments.no_captions, "Leave the picture bare");
+  bind_film(verb, arguments.film);
+  verb.add_option("--out", arguments.out, "F.mp4 (or .mkv, .avi), or pictures: F_%05d.png");
+  verb.add_option("--write-job", arguments.write_job, "F.json: write what the options mean as a job, and no film");
+}
+
+/// In the words of the other commands, with what may have been meant.
+Status check_sources(const film::Composition& film, const workbench::Project& project, Console& console) {
+  for (const film::Source& source : film.sources) {
+    if (source.kind == film::SourceKind::kField) {
+      TROCAR_ASSIGN_OR_RETURN(const auto model, find_model(project, source.of));
+      warn_if_stale(project, *model, console);
+    } else {
+      TROCAR_RETURN_IF_ERROR(find_shown(project, source.of));
+    }
+  }
+  return {};
+}
+
+Result<Answer> written(const RenderArguments& arguments, const film::Composition& film) {
+  TROCAR_RETURN_IF_ERROR(check_output(arguments.write_job, arguments.project, {".json"}));
+  TROCAR_RETURN_IF_ERROR(write_file(arguments.write_job, film::to_json(film)));
+  Answer answer;
+  answer.json = {{"job", arguments.write_job}, {"sources", film.sources.size()}};
+  answer.summary = fmt::format("a job of {}", counted(film.sources.size(), "source"));
+  answer.text = fmt::format("Wrote {}: {}", arguments.write_job, answer.summary);
+  return answer;
 }
 
 Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
-  TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project));
-  const std::size_t count = arguments.demonstrations.size();
-  if (!arguments.layout.empty() && (arguments.layout == "single") != (count == 1)) {
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("the layout {} does not fit {}", arguments.layout, counted(count, "demonstration")));
+  TROCAR_ASSIGN_OR_RETURN(film::Composition film, film_from(arguments.film));
+  if (!arguments.out.empty()) film.path = arguments.out;
+  if (film.path.empty() && arguments.write_job.empty()) {
+    return fail(ErrorCode::kInvalidArgument, "where does the film go: say --out F.mp4");
   }
-  workbench::FilmJob job;
-  TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
-  std::tie(job.width, job.height) = size;
-  if (arguments.codec != "auto") {
-    TROCAR_ASSIGN_OR_RETURN(job.codec, media::codec_from(arguments.codec));
+  if (!film.path.empty()) {
+    TROCAR_RETURN_IF_ERROR(check_output(film.path, arguments.project));
+    if (film.overlays.has(film::Overlay::kCaptions)) {
+      TROCAR_RETURN_IF_ERROR(check_output(workbench::subtitles_beside(film.path), arguments.project));
+    }
   }
-  job.path = arguments.out;
-  job.fps = arguments.fps;
-  job.speed = arguments.speed;
-  job.camera = kCameras.at(arguments.camera);
-  job.captions = !arguments.no_captions;
-  TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file,
-                          open_to_read(arguments.project, console, Models::kDescribed));
-  for (const std::string& text : arguments.demonstrations) {
-    TROCAR_ASSIGN_OR_RETURN(auto demonstration, find_shown(*file.project(), text));
-    job.demonstrations.push_back(std::move(demonstration));
-  }
-  TROCAR_ASSIGN_OR_RETURN(const workbench::FilmReport report, workbench::render_film(job, console.progress()));
+  TROCAR_ASSIGN_OR_RETURN(
+      const workbench::ProjectFile file,
+      open_to_read(arguments.project, console, workbench::needs_models(film) ? Models::kWhole : Models::kDescribed));
+  TROCAR_RETURN_IF_ERROR(check_sources(film, *file.project(), console));
+  if (!arguments.write_job.empty()) return written(arguments, film);
+  TROCAR_ASSIGN_OR_RETURN(const workbench::FilmReport report,
+                          workbench::render_film({film, file.project(), {}}, console.progress()));
+  for (const std::string& warning : report.warnings) console.diagnostics.warn(warning);
 
-  const std::string codec(media::to_string(report.codec));
   std::error_code ignored;
   Answer answer;
-  answer.json = {{"frames", report.frames},
-                 {"seconds", report.frames / arguments.fps},
-                 {"codec", codec},
-                 {"wall_seconds", report.seconds},
-                 {"width", job.width},
-                 {"height", job.height},
-                 {"size_bytes", std::filesystem::file_size(job.path, ignored)},
-                 {"out", arguments.out}};
-  answer.summary = fmt::format("{} frames of {}×{}, {:.1f} s, {}", report.frames, job.width, job.height,
-                               report.frames / arguments.fps, codec);
-  answer.text = fmt::format("Wrote {}: {}", arguments.out, answer.summary);
+  answer.json = {{"frames", report.frames}, {"seconds", report.frames / film.fps},
+                 {"codec", report.codec},   {"wall_seconds", report.seconds},
+                 {"width", report.width},   {"height", report.height}};
+  if (!workbench::is_picture_row(report.path)) {
+    answer.json["size_bytes"] = std::filesystem::file_size(report.path, ignored);
+  }
+  answer.json["srt"] = report.subtitles.empty() ? Json(nullptr) : Json(report.subtitles.string());
+  answer.json["out"] = film.path;
+  answer.summary = fmt::format("{} frames of {}×{}, {:.1f} s, {}", report.frames, report.width, report.height,
+                               report.frames / film.fps, report.codec);
+  answer.text = fmt::format("Wrote {}: {}", film.path, answer.summary);
+  if (!report.subtitles.empty()) answer.text += fmt::format("\nWrote {}", report.subtitles.string());
   return answer;
 }
 
 }  // namespace
 
 void add_video_commands(CLI::App& root, Action& chosen) {
-  CLI::App& noun = *root.add_subcommand("video", "Films of demonstrations")->require_subcommand(1);
-  add_verb<RenderArguments>(noun, chosen, "render", "Film one demonstration, or two side by side", bind_render,
+  CLI::App& noun = *root.add_subcommand("video", "Films of demonstrations and trials")->require_subcommand(1);
+  add_verb<RenderArguments>(noun, chosen, "render", "Film demonstrations and trials, or a job", bind_render,
                             run_render);
 }
 

@@ -21,15 +21,18 @@ using canvas::TextStyle;
 using canvas::Weight;
 
 // Lengths at a height of 720, where the unit is 1.
-constexpr double kBand = 92.0;
-constexpr double kMargin = 36.0;  // 5 % of the height: inside what every player shows.
 constexpr double kRowHeight = 40.0;
 constexpr double kRowTop = 14.0;
-constexpr double kLeastWidth = 1000.0;  // What the row needs; narrower frames get smaller letters.
-
-double unit_of(int width, int height) {
-  return std::min(height / 720.0, width / kLeastWidth);
-}
+constexpr double kRowGap = 8.0;
+constexpr double kBand = 92.0;
+constexpr double kTwoRowBand = kBand + kRowHeight + kRowGap;
+constexpr double kFoot = 14.0;  // Of the last line's letters above the band's lower edge.
+// What a row needs; narrower frames get smaller letters.
+constexpr double kOneRowWidth = 1000.0;
+constexpr double kTwoRowWidth = 560.0;
+constexpr double kShortWidth = 520.0;
+// Of a small picture, so much of the height may be band.
+constexpr double kMostBand = 0.3;
 
 /// "01:05.3".
 std::string clock_text(double seconds) {
@@ -38,7 +41,8 @@ std::string clock_text(double seconds) {
 }
 
 std::string speed_text(double speed) {
-  return speed == 1.0 ? "" : fmt::format("{:g}× speed", speed);
+  if (speed == 0.0) return "held";
+  return speed == 1.0 ? "" : fmt::format("{:.3g}× speed", speed);
 }
 
 /// Shortens from the end until it fits.
@@ -86,9 +90,43 @@ void draw_part(Image& frame, const Part& wanted, Draw draw) {
 
 }  // namespace
 
+Band band_for(const Overlays& shown, int width, int height) {
+  bool any = false;
+  for (const Overlay part : {Overlay::kTimer, Overlay::kSegment, Overlay::kAuthority, Overlay::kPedals, Overlay::kJaws,
+                             Overlay::kProvenance}) {
+    any = any || shown.has(part);
+  }
+  constexpr int kSmall = 300;
+  constexpr int kLow = 500;
+  if (!any) return Band::kNone;
+  if (width >= 5 * height / 2 || (height >= kLow && 2 * width >= 3 * height)) return Band::kOneRow;
+  return height < kSmall ? Band::kShort : Band::kTwoRows;
+}
+
+double unit_of(Band band, int width, int height) {
+  switch (band) {
+    case Band::kOneRow:
+      return std::min(height / 720.0, width / kOneRowWidth);
+    case Band::kTwoRows:
+      return std::min({1.0 * std::max(1.0, height / 720.0), width / kTwoRowWidth, kMostBand * height / kTwoRowBand});
+    case Band::kShort:
+      return std::min(width / kShortWidth, kMostBand * height / kBand);
+    case Band::kNone:
+      break;
+  }
+  return std::min(std::max(height / 720.0, 0.7), width / 320.0);
+}
+
+int band_height_of(Band band, int width, int height) {
+  if (band == Band::kNone) return 0;
+  const double rows = band == Band::kTwoRows ? kTwoRowBand : kBand;
+  return std::min(height, static_cast<int>(std::ceil(rows * unit_of(band, width, height))));
+}
+
 struct FilmOverlay::Impl {
   int width = 0;
   int height = 0;
+  Band band = Band::kOneRow;
   double unit = 1.0;
   Canvas ruler{Image(1, 1)};  ///< Measures texts.
 
@@ -115,14 +153,26 @@ struct FilmOverlay::Impl {
 
   void draw_top(Image& frame, const FrameCaption& caption) {
     const double margin = kMargin * unit;
-    if (!caption.title.empty()) {
-      const TextStyle letters = style(20.0, Weight::kSemiBold, kWhite);
-      const double room = width - 2 * margin - 260.0 * unit;
-      panel(frame, fitted(ruler, caption.title, letters, room), margin, margin, letters);
-    }
     const std::string speed = speed_text(caption.speed);
     if (!speed.empty()) {
       panel(frame, speed, width - margin, margin, style(20.0, Weight::kSemiBold, kLit, Align::kRight));
+    }
+    if (!caption.title.empty()) {
+      const TextStyle letters = style(20.0, Weight::kSemiBold, kWhite);
+      const double room = width - 2 * margin - (speed.empty() ? 24.0 : 190.0) * unit;
+      panel(frame, fitted(ruler, caption.title, letters, room), margin, margin, letters);
+    }
+    double y = margin + (caption.title.empty() ? 0.0 : 46.0 * unit);
+    if (caption.scripted && !(band != Band::kNone && caption.shown.has(Overlay::kProvenance))) {
+      panel(frame, "scripted", margin, y, style(16.0, Weight::kSemiBold, kLit));
+      y += 37.0 * unit;
+    }
+    if (caption.lines_at_right) y = margin + (speed.empty() ? 0.0 : 46.0 * unit);
+    for (const std::string& line : caption.lines) {
+      const Align align = caption.lines_at_right ? Align::kRight : Align::kLeft;
+      panel(frame, line, caption.lines_at_right ? width - margin : margin, y,
+            style(16.0, Weight::kRegular, kWhite, align));
+      y += 37.0 * unit;
     }
   }
 
@@ -161,94 +211,96 @@ struct FilmOverlay::Impl {
                 style(14.0, Weight::kSemiBold, kWhite));
   }
 
+  /// Pedals and jaws, the last one's right end at `right`.
+  void draw_hands(Canvas& canvas, const FrameCaption& caption, double right, double y) const {
+    double x = right;
+    if (caption.shown.has(Overlay::kJaws)) {
+      draw_jaw_with_name(canvas, "right", caption.jaw_rad[1], x - 76.0 * unit, y);
+      draw_jaw_with_name(canvas, "left", caption.jaw_rad[0], x - 170.0 * unit, y);
+      x -= 180.0 * unit;
+    }
+    if (caption.shown.has(Overlay::kPedals)) {
+      draw_pedal_with_name(canvas, "clutch", caption.clutch_pedal, x - 118.0 * unit, y);
+      draw_pedal_with_name(canvas, "agent", caption.agent_pedal, x - 236.0 * unit, y);
+    }
+  }
+
+  void draw_foot(Canvas& canvas, const FrameCaption& caption, double base) const {
+    const double margin = kMargin * unit;
+    const TextStyle letters = style(15.0, Weight::kRegular, kSoft);
+    double room = width - 2 * margin;
+    if (caption.shown.has(Overlay::kTimer)) {
+      std::string clock = clock_text(caption.time_s);
+      if (caption.duration_s > 0.0) clock += " / " + clock_text(caption.duration_s);
+      const double wide = clock_width(canvas, clock, letters);
+      draw_clock(canvas, {width - margin - wide, base}, clock, letters);
+      room -= wide + 20.0 * unit;
+    }
+    if (caption.shown.has(Overlay::kProvenance)) {
+      canvas.text({margin, base}, fitted(canvas, caption.provenance, letters, room), letters);
+    }
+  }
+
   void draw_band(Canvas& canvas, const FrameCaption& caption) const {
     const double margin = kMargin * unit;
     const double y = kRowTop * unit;
-    canvas.rectangle(0, 0, width, kBand * unit, kGlass);
-    if (caption.duration_s > 0.0) {
+    const double tall = (band == Band::kTwoRows ? kTwoRowBand : kBand) * unit;
+    canvas.rectangle(0, 0, width, tall, kGlass);
+    if (caption.duration_s > 0.0 && caption.shown.has(Overlay::kTimer)) {
       const double line = std::max(2.0, std::round(3.0 * unit));
       const double done = std::clamp(caption.time_s / caption.duration_s, 0.0, 1.0);
       canvas.rectangle(0, 0, width, line, kFaint);
       canvas.rectangle(0, 0, width * done, line, kWhite);
     }
-    draw_authority(canvas, caption, margin, y);
-    draw_chips(canvas, caption, margin + 196.0 * unit, y);
-    const double right = width - margin - 76.0 * unit;
-    draw_jaw_with_name(canvas, "right", caption.jaw_rad[1], right, y);
-    draw_jaw_with_name(canvas, "left", caption.jaw_rad[0], right - 94.0 * unit, y);
-    draw_pedal_with_name(canvas, "clutch", caption.clutch_pedal, right - 222.0 * unit, y);
-    draw_pedal_with_name(canvas, "agent", caption.agent_pedal, right - 340.0 * unit, y);
-    const double base = 78.0 * unit;
-    std::string clock = clock_text(caption.time_s);
-    if (caption.duration_s > 0.0) clock += " / " + clock_text(caption.duration_s);
-    const TextStyle letters = style(15.0, Weight::kRegular, kSoft);
-    const double wide = clock_width(canvas, clock, letters);
-    draw_clock(canvas, {width - margin - wide, base}, clock, letters);
-    const double room = width - 2 * margin - wide - 20.0 * unit;
-    canvas.text({margin, base}, fitted(canvas, caption.provenance, letters, room), letters);
+    double x = margin;
+    if (caption.shown.has(Overlay::kAuthority)) {
+      draw_authority(canvas, caption, x, y);
+      x += 196.0 * unit;
+    }
+    if (caption.shown.has(Overlay::kSegment)) draw_chips(canvas, caption, x, y);
+    if (band == Band::kOneRow) draw_hands(canvas, caption, width - margin, y);
+    if (band == Band::kTwoRows) {
+      const double wide =
+          (caption.shown.has(Overlay::kJaws) ? 180.0 : 0.0) + (caption.shown.has(Overlay::kPedals) ? 236.0 : 0.0);
+      draw_hands(canvas, caption, margin + wide * unit, y + (kRowHeight + kRowGap) * unit);
+    }
+    draw_foot(canvas, caption, tall - kFoot * unit);
   }
 };
 
-FilmOverlay::FilmOverlay(int width, int height) : impl_(std::make_unique<Impl>()) {
+FilmOverlay::FilmOverlay(int width, int height, Band band) : impl_(std::make_unique<Impl>()) {
   TROCAR_CHECK(width > 0 && height > 0);
   impl_->width = width;
   impl_->height = height;
-  impl_->unit = unit_of(width, height);
+  impl_->band = band;
+  impl_->unit = unit_of(band, width, height);
 }
 FilmOverlay::~FilmOverlay() = default;
 FilmOverlay::FilmOverlay(FilmOverlay&&) noexcept = default;
 FilmOverlay& FilmOverlay::operator=(FilmOverlay&&) noexcept = default;
 
 int FilmOverlay::band_height() const {
-  return std::min(impl_->height, static_cast<int>(std::ceil(kBand * impl_->unit)));
+  return band_height_of(impl_->band, impl_->width, impl_->height);
 }
 
 void FilmOverlay::draw(Image& frame, const FrameCaption& caption) {
   TROCAR_CHECK(frame.width == impl_->width && frame.height == impl_->height);
   const int band = band_height();
   impl_->draw_top(frame, caption);
+  const double unit = impl_->unit;
+  const double middle = frame.width / 2.0;
+  const double above = frame.height - band - (impl_->band == Band::kNone ? 20.0 : 0.0) * unit;
   if (!caption.caption.empty()) {
     const TextStyle letters = impl_->style(22.0, Weight::kSemiBold, kWhite, Align::kCentre);
-    impl_->panel(frame, caption.caption, frame.width / 2.0, frame.height - band - 60.0 * impl_->unit, letters);
+    impl_->panel(frame, caption.caption, middle, above - 60.0 * unit, letters);
   }
+  if (!caption.status.empty()) {
+    const TextStyle letters = impl_->style(26.0, Weight::kBold, kLit, Align::kCentre);
+    impl_->panel(frame, caption.status, middle, above - 124.0 * unit, letters);
+  }
+  if (band == 0) return;
   draw_part(frame, {0, frame.height - band, frame.width, band},
             [&](Canvas& canvas) { impl_->draw_band(canvas, caption); });
-}
-
-namespace {
-
-/// In the middle of the top of a part of the picture, in line with the titles.
-void draw_name(Image& picture, const std::string& text, int left, int width) {
-  if (text.empty() || width == 0) return;
-  const double unit = unit_of(width, picture.height);
-  const TextStyle letters{22.0 * unit, Weight::kBold, kWhite, Align::kLeft};
-  const double pad = 14.0 * unit;
-  const double tall = 44.0 * unit;
-  const Canvas ruler(Image(1, 1));
-  const std::string shown = fitted(ruler, text, letters, 0.4 * width);
-  const double wide = ruler.text_width(shown, letters) + 2 * pad;
-  const Part part{left + static_cast<int>((width - wide) / 2), static_cast<int>((kMargin - 2.0) * unit),
-                  static_cast<int>(std::ceil(wide)), static_cast<int>(std::ceil(tall))};
-  draw_part(picture, part, [&](Canvas& canvas) {
-    canvas.rectangle(0, 0, wide, tall, kGlass, 6.0 * unit);
-    canvas.text({pad, tall / 2 + 0.36 * letters.size_px}, shown, letters);
-  });
-}
-
-}  // namespace
-
-Image side_by_side(const Image& left, const Image& right, const std::string& left_name, const std::string& right_name) {
-  Image both(left.width + right.width, std::max(left.height, right.height));
-  put(both, left, 0, 0);
-  put(both, right, left.width, 0);
-  const int line = std::max(2, 2 * static_cast<int>(std::lround(both.height / 360.0)));
-  draw_part(both, {left.width - line / 2, 0, line, both.height}, [&](Canvas& canvas) {
-    canvas.rectangle(0, 0, line, both.height, kDark);
-    canvas.rectangle(line / 4.0, 0, line / 2.0, both.height, kSoft);
-  });
-  draw_name(both, left_name, 0, left.width);
-  draw_name(both, right_name, left.width, right.width);
-  return both;
 }
 
 }  // namespace trocar::film

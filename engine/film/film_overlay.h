@@ -5,11 +5,24 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/core/image.h"
 #include "engine/demonstration/recording.h"
+#include "engine/film/composition.h"
 
 namespace trocar::film {
+
+/// The dark strip at the foot: all in one row; in two, for a picture that is not wide; without pedals and jaws, for a
+/// small one; or none.
+enum class Band : std::uint8_t { kOneRow, kTwoRows, kShort, kNone };
+/// What suits a picture of that size; none if there is nothing to be written in it.
+Band band_for(const Overlays& shown, int width, int height);
+/// The length in pixels of what is 1 in a frame of 1280 × 720, and the rows that the band covers.
+double unit_of(Band band, int width, int height);
+int band_height_of(Band band, int width, int height);
+/// In those units, 5 % of the height: inside what every player shows.
+constexpr double kMargin = 36.0;
 
 /// All that the captions of one frame say. Empty texts are left out.
 struct FrameCaption {
@@ -21,10 +34,15 @@ struct FrameCaption {
   demonstration::Authority authority = demonstration::Authority::kOperator;
   bool agent_pedal = false;
   bool clutch_pedal = false;
-  std::array<double, 2> jaw_rad{};  ///< Opening, left and right.
-  std::string provenance;           ///< Below all: "scripted expert, seed 1".
-  double speed = 1.0;               ///< Of playback; shown unless 1.
-  std::string caption;              ///< One line in the middle, above the band.
+  std::array<double, 2> jaw_rad{};     ///< Opening, left and right.
+  std::string provenance;              ///< Below all: "scripted expert, seed 1".
+  double speed = 1.0;                  ///< Of playback; shown unless 1; 0: the picture is held.
+  std::string caption;                 ///< One line in the middle, above the band.
+  std::string status;                  ///< Above that, larger: "waiting".
+  std::vector<std::string> lines;      ///< Below the title: measures.
+  bool lines_at_right = false;         ///< … or in the other corner, if something lies there.
+  bool scripted = false;               ///< Said below the title unless the band's provenance is shown.
+  Overlays shown = Overlays::usual();  ///< Which parts the band has.
 };
 
 /// Draws captions on frames of one size, the same look at every size from 320 × 180 up; every part is told by word or
@@ -32,7 +50,7 @@ struct FrameCaption {
 class FilmOverlay {
  public:
   /// Precondition: positive.
-  FilmOverlay(int width, int height);
+  FilmOverlay(int width, int height, Band band = Band::kOneRow);
   ~FilmOverlay();
   FilmOverlay(FilmOverlay&&) noexcept;
   FilmOverlay& operator=(FilmOverlay&&) noexcept;
@@ -46,9 +64,5 @@ class FilmOverlay {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// Two pictures of equal height in one, as wide as both, with a dividing line and their names at the top. Pictures of
-/// unequal height are placed from the top, on black.
-Image side_by_side(const Image& left, const Image& right, const std::string& left_name, const std::string& right_name);
 
 }  // namespace trocar::film

@@ -86,6 +86,8 @@ class Stage {
   /// Nodes and quads of the fields alone, and the edges of a lattice: for who keeps the former from picture to picture.
   scene::Scene field_scene(const std::vector<FieldLayer>& fields) const;
   void add_lattice_frame(const spatial::Grid& grid, scene::Scene& scene) const;
+  /// Both arms of another state, to be seen through: what somebody else does meanwhile.
+  void add_ghost(const Pose3d& pose, scene::Scene& scene) const;
 
  private:
   std::shared_ptr<const Meshes> meshes_;

@@ -22,6 +22,7 @@ struct ViewRequest {
   stage::Pose3d pose;
   std::shared_ptr<const std::vector<stage::PathLayer>> paths;  ///< May be null.
   std::vector<stage::FieldLayer> fields;
+  std::optional<stage::Pose3d> ghost;  ///< Arms that are seen through.
   stage::StageOptions options;
   scene::Camera camera;
   render::RenderOptions render;

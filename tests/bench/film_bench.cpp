@@ -8,7 +8,7 @@
 #include "engine/demonstration/demonstration.h"
 #include "engine/media/video_writer.h"
 #include "engine/trial/transfer_session.h"
-#include "engine/workbench/jobs/film_pane.h"
+#include "engine/workbench/jobs/film_renderer.h"
 
 namespace {
 
@@ -32,14 +32,19 @@ void film_frame(benchmark::State& state) {
   const auto shown = short_demonstration();
   auto studio = workbench::Studio::create();
   auto writer = media::VideoWriter::open(path, {1280, 720, 30.0, media::Codec::kAuto});
-  if (!shown || !studio || !writer) {
+  workbench::Project project;
+  if (shown) project.demonstrations[shown->id] = shown;
+  film::Composition film;
+  film.sources.push_back(film::recording_of("1"));
+  Diagnostics diagnostics;
+  auto renderer = workbench::FilmRenderer::create(film, project, diagnostics);
+  if (!shown || !studio || !writer || !renderer) {
     state.SkipWithError("the demonstration, the renderer or the encoder could not be had");
     return;
   }
-  workbench::FilmPane pane(shown, {});
-  std::int64_t number = 0;
+  int number = 0;
   for (auto _ : state) {
-    auto frame = pane.frame(*studio, static_cast<double>(number++ % 300) / 30.0);
+    auto frame = renderer->frame(*studio, number++ % renderer->frame_count());
     if (!frame || !writer->add(std::move(*frame))) state.SkipWithError("a frame could not be made");
   }
   if (!writer->finish()) state.SkipWithError("the film could not be finished");

@@ -444,8 +444,9 @@ class Pictures(CommandLineTest):
     def test_films_that_cannot_be_are_refused_and_leave_nothing(self):
         project = self.recorded_project()
         film = self.folder / "film.mp4"
-        for wrong in (["--size", "161x90"], ["--fps", "0"], ["--fps", "nan"], ["--fps", "-1"], ["--speed", "0"],
-                      ["--layout", "side-by-side"], ["--codec", "paint"]):
+        for wrong in (["--size", "9x90"], ["--fps", "0"], ["--fps", "nan"], ["--fps", "-1"], ["--speed", "0"],
+                      ["--layout", "side-by-side"], ["--codec", "paint"], ["--overlays", "paint"], ["--preset", "paint"],
+                      ["--sync", "paint"]):
             self.refused("video", "render", project, "1", *wrong, "--out", film, code=USAGE)
         self.refused("video", "render", project, "1", "--out", self.folder / "film.txt", code=USAGE)
         self.refused("video", "render", project, "1", "--out", self.folder / "no" / "film.mp4", code=WORLD)

@@ -1,84 +1,65 @@
 #include "engine/workbench/jobs/film_job.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
-#include "engine/film/film_overlay.h"
-#include "engine/workbench/jobs/film_pane.h"
+#include "engine/core/file.h"
+#include "engine/film/subtitles.h"
+#include "engine/workbench/jobs/film_renderer.h"
+#include "engine/workbench/jobs/film_sink.h"
 #include "engine/workbench/studio.h"
 
 namespace trocar::workbench {
 namespace {
 
-using DemonstrationPointer = std::shared_ptr<const demonstration::Demonstration>;
+std::string subtitles_of(const FilmRenderer& renderer, double fps) {
+  std::vector<std::string> texts;
+  for (int frame = 0; frame < renderer.frame_count(); ++frame) texts.push_back(renderer.caption_text(frame));
+  return film::srt_of(film::cues_of(texts, fps));
+}
 
-Status check(const FilmJob& job) {
-  if (job.demonstrations.empty() || job.demonstrations.size() > 2) {
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("a film shows one demonstration or two, not {}", job.demonstrations.size()));
+Status draw_all(FilmRenderer& renderer, Studio& studio, FilmSink& sink, Progress& progress) {
+  const int frames = renderer.frame_count();
+  for (int frame = 0; frame < frames; ++frame) {
+    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the film was cancelled");
+    TROCAR_ASSIGN_OR_RETURN(Image picture, renderer.frame(studio, frame));
+    TROCAR_RETURN_IF_ERROR(sink.add(std::move(picture)));
+    progress.set((frame + 1.0) / frames);
   }
-  for (const DemonstrationPointer& shown : job.demonstrations) {
-    if (shown->gated().empty()) {
-      return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" has no samples to film", shown->name));
-    }
-  }
-  if (job.demonstrations.size() == 2 && job.width % 4 != 0) {
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("a film of two needs a width that is a multiple of 4, not {}", job.width));
-  }
-  if (!(job.speed > 0.0) || job.speed > 100.0) {
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("the speed must be above 0 and at most 100, not {}", job.speed));
-  }
+  if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the film was cancelled");
   return {};
-}
-
-int frame_count(const FilmJob& job) {
-  double longest_s = 0.0;
-  for (const DemonstrationPointer& shown : job.demonstrations) longest_s = std::max(longest_s, shown->duration_s());
-  return static_cast<int>(std::floor(longest_s / job.speed * job.fps)) + 1;
-}
-
-std::vector<FilmPane> panes_of(const FilmJob& job) {
-  const int count = static_cast<int>(job.demonstrations.size());
-  std::vector<FilmPane> panes;
-  for (const DemonstrationPointer& shown : job.demonstrations) {
-    panes.emplace_back(shown,
-                       FilmPane::Look{job.width / count, job.height, job.speed, job.camera, job.captions, count == 1});
-  }
-  return panes;
-}
-
-Result<Image> frame_of(std::vector<FilmPane>& panes, const FilmJob& job, Studio& studio, double elapsed_s) {
-  TROCAR_ASSIGN_OR_RETURN(Image left, panes[0].frame(studio, elapsed_s));
-  if (panes.size() == 1) return left;
-  TROCAR_ASSIGN_OR_RETURN(const Image right, panes[1].frame(studio, elapsed_s));
-  return film::side_by_side(left, right, job.demonstrations[0]->name, job.demonstrations[1]->name);
 }
 
 }  // namespace
 
+bool needs_models(const film::Composition& film) {
+  return std::any_of(film.sources.begin(), film.sources.end(),
+                     [](const film::Source& source) { return source.kind == film::SourceKind::kField; });
+}
+
 Result<FilmReport> render_film(const FilmJob& job, Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
-  TROCAR_RETURN_IF_ERROR(check(job));
-  TROCAR_ASSIGN_OR_RETURN(media::VideoWriter writer,
-                          media::VideoWriter::open(job.path, {job.width, job.height, job.fps, job.codec}));
-  TROCAR_ASSIGN_OR_RETURN(Studio studio, Studio::create());
-  std::vector<FilmPane> panes = panes_of(job);
   FilmReport report;
-  report.frames = frame_count(job);
-  for (int frame = 0; frame < report.frames; ++frame) {
-    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the film was cancelled");
-    TROCAR_ASSIGN_OR_RETURN(Image picture, frame_of(panes, job, studio, frame * job.speed / job.fps));
-    TROCAR_RETURN_IF_ERROR(writer.add(std::move(picture)));
-    progress.set((frame + 1.0) / report.frames);
+  report.path = job.path.empty() ? std::filesystem::path(job.film.path) : job.path;
+  if (report.path.empty()) return fail(ErrorCode::kInvalidArgument, "the film's job does not say where it goes");
+  TROCAR_ASSIGN_OR_RETURN(const media::Codec codec, media::codec_from(job.film.codec));
+  Diagnostics diagnostics;
+  TROCAR_ASSIGN_OR_RETURN(FilmRenderer renderer, FilmRenderer::create(job.film, *job.project, diagnostics));
+  report.width = renderer.width();
+  report.height = renderer.height();
+  report.frames = renderer.frame_count();
+  TROCAR_ASSIGN_OR_RETURN(const std::unique_ptr<FilmSink> sink,
+                          open_film_sink(report.path, {report.width, report.height, job.film.fps, codec}));
+  TROCAR_ASSIGN_OR_RETURN(Studio studio, Studio::create());
+  TROCAR_RETURN_IF_ERROR(draw_all(renderer, studio, *sink, progress));
+  TROCAR_RETURN_IF_ERROR(sink->finish());
+  if (job.film.overlays.has(film::Overlay::kCaptions)) {
+    report.subtitles = subtitles_beside(report.path);
+    TROCAR_RETURN_IF_ERROR(write_file(report.subtitles, subtitles_of(renderer, job.film.fps)));
   }
-  TROCAR_RETURN_IF_ERROR(writer.finish());
-  report.codec = writer.codec();
+  report.codec = sink->codec();
+  report.warnings = diagnostics.warnings();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return report;
 }

@@ -1,39 +1,41 @@
-/// A film of one demonstration, or of two side by side, with captions.
+/// Renders a film's job into a file, with its subtitles beside it.
 #pragma once
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/core/progress.h"
 #include "engine/core/result.h"
-#include "engine/demonstration/demonstration.h"
-#include "engine/media/video_writer.h"
-#include "engine/scene/scene.h"
+#include "engine/film/composition.h"
+#include "engine/workbench/project.h"
 
 namespace trocar::workbench {
 
 struct FilmJob {
-  std::vector<std::shared_ptr<const demonstration::Demonstration>> demonstrations;  ///< One, or two side by side.
-  std::filesystem::path path;
-  int width = 1280;  ///< Even.
-  int height = 720;  ///< Even.
-  double fps = 30.0;
-  double speed = 1.0;  ///< Demonstration seconds for each second of film.
-  scene::CameraPreset camera = scene::CameraPreset::kPaper;
-  media::Codec codec = media::Codec::kAuto;
-  bool captions = true;
+  film::Composition film;
+  std::shared_ptr<const Project> project;
+  std::filesystem::path path;  ///< Empty: as the composition says.
 };
 
 struct FilmReport {
+  std::filesystem::path path;
   int frames = 0;
+  int width = 0;
+  int height = 0;
   double seconds = 0.0;  ///< Wall time.
-  media::Codec codec = media::Codec::kAuto;
+  std::string codec;
+  std::filesystem::path subtitles;  ///< Empty: without captions there are none.
+  std::vector<std::string> warnings;
 };
 
-/// Frame k shows the moment k · speed / fps after the gate and depends on nothing else; the shorter of two holds its
-/// last frame. Threads: any that holds no GL context. Errors: kInvalidArgument; those of `media::VideoWriter`;
-/// kCancelled, which leaves no file.
+/// The same job gives the same frames: frame k depends on k and on the project alone. Threads: any that holds no GL
+/// context. Errors: those of `FilmRenderer::create` and `open_film_sink`; kInvalidArgument without a path; kCancelled,
+/// which leaves no file.
 Result<FilmReport> render_film(const FilmJob& job, Progress& progress);
+
+/// Whether something of the film needs models open whole.
+bool needs_models(const film::Composition& film);
 
 }  // namespace trocar::workbench

@@ -1,43 +1,49 @@
-/// One demonstration in a film: its picture at a moment, with captions.
+/// The picture of one source of a film, frame by frame.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/core/image.h"
 #include "engine/core/result.h"
-#include "engine/demonstration/demonstration.h"
 #include "engine/film/film_overlay.h"
-#include "engine/scene/scene.h"
+#include "engine/film/time_map.h"
+#include "engine/workbench/jobs/film_source.h"
 #include "engine/workbench/studio.h"
 
 namespace trocar::workbench {
 
-/// What the captions say about a moment of a demonstration.
-film::FrameCaption caption_of(const demonstration::Demonstration& shown, double at_s, double speed);
+struct PaneLook {
+  int width = 1280;
+  int height = 720;
+  film::Overlays overlays = film::Overlays::usual();
+  film::Quality quality = film::Quality::kFast;
+  bool inset = false;           ///< It lies in another: it has no band.
+  bool lines_at_right = false;  ///< Another lies in its upper left corner.
+};
 
-/// Threads: that of the studio.
+struct PaneMoment {
+  double film_s = 0.0;  ///< In the pass.
+  double speed = 1.0;
+  film::Instant instant;
+  const demonstration::Demonstration* ghost = nullptr;  ///< Whose arms are seen through in the picture, if anybody's …
+  double ghost_s = 0.0;                                 ///< … and where they are.
+};
+
+/// A frame depends on its moment alone. Threads: that of the studio.
 class FilmPane {
  public:
-  struct Look {
-    int width = 1280;
-    int height = 720;
-    double speed = 1.0;
-    scene::CameraPreset camera = scene::CameraPreset::kPaper;
-    bool captions = true;
-    bool title = true;  ///< Of the captions; not where the name is written anyhow.
-  };
-  FilmPane(std::shared_ptr<const demonstration::Demonstration> shown, const Look& look);
-
-  /// `elapsed_s` after the begin gate; after the end the last moment stays.
-  Result<Image> frame(Studio& studio, double elapsed_s);
-
- private:
-  std::shared_ptr<const demonstration::Demonstration> shown_;
-  Look look_;
-  film::FilmOverlay overlay_;
-  int picture_height_;
-  scene::Camera camera_;
+  virtual ~FilmPane() = default;
+  virtual Result<Image> frame(Studio& studio, const PaneMoment& moment) = 0;
+  /// What the captions say; may be several words, never a line break. Empty: nothing.
+  virtual std::string caption_at(const film::Instant& instant) const = 0;
 };
+
+/// What the captions say about an instant of a demonstration.
+film::FrameCaption caption_of(const demonstration::Demonstration& shown, double at_s, double speed);
+
+/// Errors: kInvalidArgument for a slice, layer or curve that there is not.
+Result<std::unique_ptr<FilmPane>> make_pane(const FilmSource& source, const PaneLook& look);
 
 }  // namespace trocar::workbench

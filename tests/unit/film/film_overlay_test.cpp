@@ -167,15 +167,3 @@ TEST_CASE("long texts are shortened and odd numbers survive") {
   for (int y = 0; y < 300; ++y) CHECK(frame.at(638, y) == kGrey);
   CHECK_FALSE(drawn(20, 12, kGrey, caption).empty());
 }
-
-TEST_CASE("side by side is as wide as both, each in its place, with a line between") {
-  const Image red(100, 80, {200, 0, 0, 255});
-  const Image blue(60, 80, {0, 0, 200, 255});
-  const Image both = side_by_side(red, blue, "", "");
-  CHECK(both.width == 160);
-  CHECK(both.height == 80);
-  CHECK(both.at(50, 40) == Rgba{200, 0, 0, 255});
-  CHECK(both.at(130, 40) == Rgba{0, 0, 200, 255});
-  CHECK_FALSE(both.at(99, 40) == Rgba{200, 0, 0, 255});
-  CHECK_FALSE(side_by_side(red, blue, "Manual", "") == both);
-}

@@ -1,0 +1,32 @@
+/// Where the frames of a film go: into a film file, or into a row of pictures.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "engine/core/image.h"
+#include "engine/core/result.h"
+#include "engine/media/video_writer.h"
+
+namespace trocar::workbench {
+
+/// Destroyed before `finish`, it leaves nothing behind. Threads: one caller.
+class FilmSink {
+ public:
+  virtual ~FilmSink() = default;
+  /// Errors: kIo.
+  virtual Status add(Image frame) = 0;
+  virtual Status finish() = 0;
+  /// "h264", "png" …
+  virtual std::string codec() const = 0;
+};
+
+/// A name such as "F_%05d.png" is of pictures, numbered from 0; any other of a film file.
+bool is_picture_row(const std::filesystem::path& path);
+/// Errors: those of `media::VideoWriter::open`; kInvalidArgument for a codec with pictures.
+Result<std::unique_ptr<FilmSink>> open_film_sink(const std::filesystem::path& path, const media::VideoOptions& options);
+/// The subtitles of the film: beside it, with its name.
+std::filesystem::path subtitles_beside(const std::filesystem::path& path);
+
+}  // namespace trocar::workbench

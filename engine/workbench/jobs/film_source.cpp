@@ -1,0 +1,118 @@
+#include "engine/workbench/jobs/film_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace trocar::workbench {
+namespace {
+
+/// The one with that id, else the one with that name; null if there is none.
+template <typename Map>
+Result<typename Map::mapped_type> find_in(const Map& map, const std::string& text) {
+  std::int64_t id = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  if (error == std::errc() && end == text.data() + text.size()) {
+    if (const auto found = map.find(typename Map::key_type{id}); found != map.end()) return found->second;
+  }
+  typename Map::mapped_type only;
+  for (const auto& [key, entry] : map) {
+    if (entry->name != text) continue;
+    if (only) return fail(ErrorCode::kInvalidArgument, fmt::format("several are named \"{}\": say the id", text));
+    only = entry;
+  }
+  return only;
+}
+
+std::string hash_words(std::uint64_t hash) {
+  return fmt::format("{:016x}", hash);
+}
+
+/// Who made it, never to be mistaken for a person.
+std::string provenance_of(const demonstration::Demonstration& shown) {
+  const demonstration::Provenance& provenance = shown.recording->provenance;
+  std::string line = provenance.operator_kind;
+  if (!provenance.skill.empty()) line += " " + provenance.skill;
+  if (provenance.operator_kind == "scripted") line += fmt::format(", seed {}", provenance.seed);
+  if (!provenance.software.empty()) line += ", " + provenance.software;
+  return line + ", " + hash_words(shown.hash());
+}
+
+bool is_scripted(const demonstration::Demonstration& shown) {
+  return shown.recording->provenance.operator_kind == "scripted";
+}
+
+/// Those of the trials before it that belong together with it.
+void count_before(const Project& project, FilmSource& source) {
+  const trial::TrialRecord& own = source.trial->record;
+  for (const auto& [id, other] : project.trials) {
+    if (id == source.trial->id) return;
+    if (other->excluded || other->record.mode != own.mode || other->record.session != own.session) continue;
+    ++source.before;
+    if (other->record.outcome == demonstration::Outcome::kSuccess) ++source.successes;
+  }
+}
+
+Status find_recording(const Project& project, FilmSource& source) {
+  TROCAR_ASSIGN_OR_RETURN(source.trial, find_in(project.trials, source.said.of));
+  if (source.trial) {
+    source.shown = source.trial->shown;
+    const bool shared = source.trial->record.mode == trial::Mode::kShared;
+    source.title = fmt::format("{} · {}", source.trial->name, shared ? "shared control" : "manual");
+    count_before(project, source);
+  } else {
+    TROCAR_ASSIGN_OR_RETURN(source.shown, find_in(project.demonstrations, source.said.of));
+    if (!source.shown) {
+      return fail(ErrorCode::kNotFound, fmt::format("no demonstration or trial is \"{}\"", source.said.of));
+    }
+    source.title = source.shown->name;
+  }
+  const demonstration::Demonstration& shown = *source.shown;
+  if (shown.gated().empty()) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" has no samples to film", shown.name));
+  }
+  source.in_s = std::max(shown.begin_s, source.said.in_s.value_or(shown.begin_s));
+  source.out_s = std::min(shown.end_s, source.said.out_s.value_or(shown.end_s));
+  if (source.in_s >= source.out_s) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" lasts from {:.3f} to {:.3f} s: its gates in the film "
+                                                         "leave nothing",
+                                                         shown.name, shown.begin_s, shown.end_s));
+  }
+  source.scripted = is_scripted(shown);
+  source.provenance = provenance_of(shown);
+  return {};
+}
+
+Status find_model(const Project& project, FilmSource& source) {
+  TROCAR_ASSIGN_OR_RETURN(source.model, find_in(project.models, source.said.of));
+  if (!source.model) return fail(ErrorCode::kNotFound, fmt::format("no model is \"{}\"", source.said.of));
+  if (!source.model->model) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("the model \"{}\" was not read", source.model->name));
+  }
+  source.title = source.model->name;
+  for (const DemonstrationId id : source.model->demonstrations) {
+    const auto found = project.demonstrations.find(id);
+    source.scripted = source.scripted || (found != project.demonstrations.end() && is_scripted(*found->second));
+  }
+  source.provenance = fmt::format("{}, {}", source.scripted ? "learned from scripted demonstrations" : "learned",
+                                  hash_words(source.model->model_hash));
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<FilmSource>> film_sources(const Project& project, const film::Composition& film) {
+  std::vector<FilmSource> sources;
+  for (const film::Source& said : film.sources) {
+    FilmSource source;
+    source.said = said;
+    TROCAR_RETURN_IF_ERROR(said.kind == film::SourceKind::kField ? find_model(project, source)
+                                                                 : find_recording(project, source));
+    if (!said.title.empty()) source.title = said.title;
+    sources.push_back(std::move(source));
+  }
+  return sources;
+}
+
+}  // namespace trocar::workbench

@@ -1,0 +1,78 @@
+"""Films of several sources, from options and from jobs, as a user meets them."""
+import json
+import unittest
+
+from cli_support import USAGE, WORLD, CommandLineTest, trocar
+
+
+class Films(CommandLineTest):
+    def trimmed_project(self):
+        project = self.recorded_project()
+        self.answer("demo", "edit", project, "1", "trim", "--from", "1", "--to", "3")
+        return project
+
+    def test_options_mean_a_job_and_the_job_gives_the_same_film(self):
+        project = self.trimmed_project()
+        job = self.folder / "film.json"
+        options = ["Expert", "Expert", "--layout", "top-bottom", "--sync", "segment", "--size", "320x360", "--fps", "5",
+                   "--overlays", "title,authority,captions", "--camera", "top"]
+        told = self.answer("video", "render", project, *options, "--write-job", job)
+        self.assertEqual(told["sources"], 2)
+        self.assertEqual(self.leftovers(), ["film.json", "recorded.trocar"])
+        written = json.loads(job.read_text())
+        self.assertEqual(written["layout"], "top-bottom")
+        self.assertEqual(written["overlays"], ["title", "authority", "captions"])
+        self.assertEqual(written["sources"][0], {"kind": "recording", "of": "Expert", "camera": {"view": "top"}})
+        first = self.answer("video", "render", project, *options, "--out", self.folder / "a_%02d.png")
+        second = self.answer("video", "render", project, job, "--out", self.folder / "b_%02d.png")
+        self.assertEqual(first["frames"], second["frames"])
+        self.assertEqual(first["codec"], "png")
+        self.assertEqual(first["srt"], str(self.folder / "a.srt"))
+        for i in range(first["frames"]):
+            self.assertEqual((self.folder / f"a_{i:02}.png").read_bytes(), (self.folder / f"b_{i:02}.png").read_bytes())
+        self.assertEqual((self.folder / "a.srt").read_text(), (self.folder / "b.srt").read_text())
+
+    def test_presets_begin_and_options_go_on(self):
+        project = self.trimmed_project()
+        film = self.folder / "film.mp4"
+        answer = self.answer("video", "render", project, "1", "1", "--preset", "mt-vs-sc", "--size", "321x181", "--fps", "5",
+                             "--out", film)
+        self.assertEqual((answer["width"], answer["height"]), (322, 182))
+        self.assertEqual(answer["srt"], str(self.folder / "film.srt"))
+        small = self.answer("video", "render", project, "1", "--preset", "thumbnail", "--out", self.folder / "small.mp4")
+        self.assertEqual((small["width"], small["height"], small["srt"]), (320, 180, None))
+
+    def test_fields_and_curves_are_sources_of_a_job(self):
+        project = self.trimmed_project()
+        job = self.folder / "film.json"
+        job.write_text(json.dumps({"width": 640, "height": 360, "fps": 2, "layout": "2x2", "path": str(self.folder / "film.mkv"),
+                                   "sources": [{"of": "Expert"}, {"of": "Expert", "kind": "curve"},
+                                               {"of": "A exact", "kind": "field", "slice": "x=9"}]}))
+        answer = self.answer("video", "render", project, job)
+        self.assertEqual(answer["frames"], 5)
+        self.assertEqual(answer["out"], str(self.folder / "film.mkv"))
+
+    def test_jobs_that_cannot_be_are_refused_and_leave_nothing(self):
+        project = self.trimmed_project()
+        job = self.folder / "film.json"
+        out = ["--out", self.folder / "film.mp4"]
+        self.refused("video", "render", project, job, *out, code=WORLD)
+        for text, code, saying in (("{", WORLD, "JSON"), ('{"sources": [{"of": "1"}], "fsp": 3}', WORLD, "fsp"),
+                                   ('{"sources": [{"of": "Expret"}]}', USAGE, "Expert"),
+                                   ('{"sources": [{"of": "1"}], "fps": 0}', USAGE, "frames")):
+            job.write_text(text)
+            self.refused("video", "render", project, job, *out, code=code, saying=saying)
+        job.write_text('{"sources": [{"of": "1"}]}')
+        self.refused("video", "render", project, job, code=USAGE, saying="--out")
+        self.refused("video", "render", project, job, "--out", project, code=USAGE)
+        self.assertEqual(self.leftovers(), ["film.json", "recorded.trocar"])
+
+    def test_an_odd_size_is_said(self):
+        project = self.trimmed_project()
+        done = trocar("video", "render", project, "1", "--size", "161x91", "--fps", "2", "--out", self.folder / "film.mp4")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("became 162×92", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
