@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+
 #include <cctype>
+#include "engine/film/composition_words.h"
 
 #include "engine/demonstration/edit_words.h"
 #include "engine/workbench/importing.h"
@@ -364,15 +366,20 @@ std::string learning_text(const workbench::LearningSettings& settings, const Wor
 constexpr std::array<const char*, 4> kCameras{"paper", "top", "side", "front"};
 
 std::string video_text(const ExportVideo& video, const std::string& project) {
-  std::string text = fmt::format("trocar video render {}{} --out {} --fps {:g} --size {}x{} --layout {}", project,
-                                 ids(video.demonstrations), shell_word(video.path.string()), video.fps, video.width,
-                                 video.height, video.demonstrations.size() > 1 ? "side-by-side" : "single");
+  std::string text =
+      fmt::format("trocar video render {}{} --out {} --fps {:g} --size {}x{} --layout {}", project,
+                  ids(video.demonstrations), shell_word(video.path.string()), video.fps, video.width, video.height,
+                  video.demonstrations.size() > 1 ? film::word_of(film::kLayouts, video.two) : "single");
+  if (video.demonstrations.size() > 1 && video.sync != film::Sync::kClock) {
+    text += fmt::format(" --sync {}", film::word_of(film::kSyncs, video.sync));
+  }
   if (video.speed != 1.0) text += fmt::format(" --speed {:g}", video.speed);
   if (video.camera != scene::CameraPreset::kPaper) {
     text += fmt::format(" --camera {}", kCameras[static_cast<std::size_t>(video.camera)]);
   }
   if (video.codec != media::Codec::kAuto) text += fmt::format(" --codec {}", media::to_string(video.codec));
   if (!video.captions) text += " --no-captions";
+  if (video.captions && video.all_overlays) text += " --overlays all";
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/film/composition.h"
 #include "engine/learning/field.h"
 #include "engine/learning/imported_model.h"
 #include "engine/learning/model.h"
@@ -317,6 +318,9 @@ struct ExportVideo {
   scene::CameraPreset camera = scene::CameraPreset::kPaper;
   media::Codec codec = media::Codec::kAuto;
   bool captions = true;
+  bool all_overlays = false;  ///< Metrics, tally, trail, ghost and captions in a file too; not without `captions`.
+  film::Sync sync = film::Sync::kClock;
+  film::Layout two = film::Layout::kSideBySide;  ///< How two lie.
 };
 struct ExportField {
   ModelId model;

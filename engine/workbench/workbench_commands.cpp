@@ -192,7 +192,11 @@ void Workbench::Impl::on(const ExportVideo& command) {
   job.film.fps = command.fps;
   job.film.pace.speed = command.speed;
   job.film.codec = media::to_string(command.codec);
-  job.film.layout = command.demonstrations.size() == 2 ? film::Layout::kSideBySide : film::Layout::kSingle;
+  job.film.layout = command.demonstrations.size() == 2 ? command.two : film::Layout::kSingle;
+  if (command.demonstrations.size() == 2) job.film.pace.sync = command.sync;
+  for (std::size_t i = 0; i < film::kOverlayCount && command.all_overlays; ++i) {
+    job.film.overlays.set(static_cast<film::Overlay>(i));
+  }
   if (!command.captions) job.film.overlays = {};
   const auto work = [job](Progress& progress) -> Result<JobResult> {
     TROCAR_ASSIGN_OR_RETURN(const FilmReport report, render_film(job, progress));

@@ -55,6 +55,10 @@ void VideoForm::draw_look(Ui& ui) {
   }
   form_label(ui, "Captions");
   checkbox(ui, "Segments, jaws and pedals", captions_, {.help = "What is written below the picture"});
+  form_label(ui, "Overlays");
+  checkbox(ui, "All of them", all_overlays_,
+           {.help = "Metrics, tally, trail and the other side's ghost too, and captions in a file of their own (.srt)",
+            .reason = captions_ ? "" : "The picture is left bare"});
 }
 
 void VideoForm::draw_beside(Ui& ui, const WorkbenchState& state) {
@@ -66,10 +70,23 @@ void VideoForm::draw_beside(Ui& ui, const WorkbenchState& state) {
       names.push_back(shown->name);
       others_.push_back(id);
     }
+    for (const auto& [id, trial] : state.project->trials) {
+      if (id.value == state.demonstration.value) continue;
+      names.push_back(trial->name);
+      others_.push_back(workbench::DemonstrationId{id.value});
+    }
   }
   if (beside_ >= static_cast<int>(names.size())) beside_ = 0;
   form_label(ui, "Beside");
-  combo(ui, "Beside", beside_, names, {.help = "A second demonstration, side by side"});
+  combo(ui, "Beside", beside_, names, {.help = "A second demonstration or trial in the same film"});
+  static const std::vector<std::string> kSyncNames{"Clock", "Segments", "Grasp"};
+  static const std::vector<std::string> kTwoNames{"Side by side", "Above", "Inset"};
+  const std::string_view alone = beside_ == 0 ? "Nothing is beside it" : "";
+  form_label(ui, "Together by");
+  segmented(ui, "Together by", sync_, kSyncNames,
+            {.help = "What begins together: all, each segment (the faster side waits), or the grasp", .reason = alone});
+  form_label(ui, "Two as");
+  segmented(ui, "Two as", two_, kTwoNames, {.help = "How the two pictures lie", .reason = alone});
 }
 
 workbench::ExportVideo VideoForm::wanted(const WorkbenchState& state) const {
@@ -87,6 +104,11 @@ workbench::ExportVideo VideoForm::wanted(const WorkbenchState& state) const {
   video.camera = static_cast<scene::CameraPreset>(camera_);
   video.codec = static_cast<media::Codec>(codec_);
   video.captions = captions_;
+  video.all_overlays = all_overlays_;
+  video.sync = static_cast<film::Sync>(sync_);
+  constexpr std::array<film::Layout, 3> kTwo{film::Layout::kSideBySide, film::Layout::kTopBottom,
+                                             film::Layout::kPictureInPicture};
+  video.two = kTwo[static_cast<std::size_t>(two_)];
   return video;
 }
 

@@ -30,6 +30,9 @@ class VideoForm final : public Form {
   int camera_ = 0;  ///< As `scene::CameraPreset`.
   int codec_ = 0;   ///< As `media::Codec`.
   bool captions_ = true;
+  bool all_overlays_ = false;
+  int sync_ = 0;    ///< As `film::Sync`.
+  int two_ = 0;     ///< How two lie.
   int beside_ = 0;  ///< 0: alone; else the n-th other demonstration.
 };
 
