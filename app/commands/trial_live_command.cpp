@@ -56,7 +56,7 @@ LiveRun run_at_1_kHz(trial::SharedControlSession& session, link::HandServer& ser
     pacer.wait();
     const std::int64_t tick = session.state().tick.count;
     if (tick % kTellEvery_ticks == 0) {
-      server.tell(session.trial_status().state);
+      server.tell(session.trial_status()->state);
       const bool ends = !console.check_not_cancelled() || server.silent_s() > kGone_s;
       if (ends && !run.interrupted) session.stop();
       run.interrupted = run.interrupted || ends;

@@ -68,7 +68,7 @@ Trace run(const TrialOptions& options, OperatorInput& input) {
   Trace trace;
   while (!session->done()) {
     session->step();
-    trace.states.push_back(session->trial_status().state);
+    trace.states.push_back(session->trial_status()->state);
     trace.p_W.push_back(session->state().arms[0].setpoint.X_WT.p);
   }
   trace.recording.provenance = session->provenance();
