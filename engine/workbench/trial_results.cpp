@@ -62,7 +62,8 @@ PairedResults paired(const Trials& trials) {
   for (const auto& each : trials) {
     const TrialRecord& record = each->record;
     const Key key{record.subject, operator_of(record), record.seed, record.block};
-    // Run again, the last one counts.
+    // What was stopped tells nothing of the mode. Run again, the last one counts.
+    if (record.outcome == Outcome::kAborted || record.outcome == Outcome::kFault) continue;
     pairs[key][record.mode == trial::Mode::kManual ? 0 : 1] = &record;
   }
   PairedResults results;
