@@ -33,6 +33,7 @@ constexpr double kTwoRowWidth = 560.0;
 constexpr double kShortWidth = 520.0;
 // Of a small picture, so much of the height may be band.
 constexpr double kMostBand = 0.3;
+constexpr double kLowBand = 0.2;
 
 /// "01:05.3".
 std::string clock_text(double seconds) {
@@ -106,6 +107,10 @@ Band band_for(const Overlays& shown, int width, int height) {
 double unit_of(Band band, int width, int height) {
   switch (band) {
     case Band::kOneRow:
+      // One of two that lie above each other is low, yet as wide as ever.
+      if (5 * width > 11 * height) {
+        return std::min({std::max(1.0, height / 720.0), width / kOneRowWidth, kLowBand * height / kBand});
+      }
       return std::min(height / 720.0, width / kOneRowWidth);
     case Band::kTwoRows:
       return std::min({1.0 * std::max(1.0, height / 720.0), width / kTwoRowWidth, kMostBand * height / kTwoRowBand});

@@ -23,11 +23,11 @@ constexpr Rgba kDarkInk{28, 30, 34, 255};
 constexpr Rgba kQuietInk{96, 101, 109, 255};
 constexpr Rgba kThinInk{214, 217, 222, 255};
 
-/// `inner` in the middle of a white picture of the pane's size, cut where it is larger.
-Image centred(const Image& inner, int width, int height) {
+/// `inner` on white paper of the pane's size, in the middle of what is below the titles; cut where it is wider.
+Image on_paper(const Image& inner, int width, int height, int titles) {
   Image outer(width, height, kWhitePaper);
   const int left = (width - inner.width) / 2;
-  const int top = (height - inner.height) / 2;
+  const int top = titles + (height - titles - inner.height) / 2;
   const int columns = std::min(width, inner.width);
   for (int y = std::max(0, top); y < std::min(height, top + inner.height); ++y) {
     const auto from = 4 * (static_cast<std::size_t>(y - top) * static_cast<std::size_t>(inner.width) +
@@ -38,6 +38,11 @@ Image centred(const Image& inner, int width, int height) {
                 outer.rgba.begin() + static_cast<std::ptrdiff_t>(to));
   }
   return outer;
+}
+
+/// Rows at the top in which a title stands.
+int titles_height(const PaneLook& look) {
+  return static_cast<int>(2.6 * film::kMargin * film::unit_of(film::Band::kNone, look.width, look.height));
 }
 
 /// Title and, where it was made by a script, that it was.
@@ -62,11 +67,12 @@ Result<std::unique_ptr<FilmPane>> FieldPane::create(const FilmSource& source, co
 Image FieldPane::bare(const figure::FieldFigureOptions& options) const {
   const Image cells = figure::slice_pixels(field_, *options.slice, figure::colouring_of(field_, options));
   Canvas canvas(Image(look_.width, look_.height, kWhitePaper));
-  const double room =
-      0.8 * std::min(look_.width / static_cast<double>(cells.width), look_.height / static_cast<double>(cells.height));
+  const double below = titles_height(look_);
+  const double room = std::min(std::max(1.0, look_.width - 2.0 * film::kMargin) / cells.width,
+                               std::max(1.0, look_.height - below - 10.0) / cells.height);
   const double wide = room * cells.width;
   const double tall = room * cells.height;
-  canvas.image(cells, (look_.width - wide) / 2.0, (look_.height - tall) / 2.0, wide, tall);
+  canvas.image(cells, (look_.width - wide) / 2.0, below + (look_.height - below - 10.0 - tall) / 2.0, wide, tall);
   return canvas.picture();
 }
 
@@ -76,15 +82,15 @@ Image FieldPane::drawn(int index) const {
   Image frame;
   if (look_.overlays.has(Overlay::kColourBar)) {
     // Its height follows from its width: as wide as lets it stand below the title.
-    const int room = look_.height - static_cast<int>(2.6 * film::kMargin *
-                                                     film::unit_of(film::Band::kNone, look_.width, look_.height));
+    const int titles = titles_height(look_);
+    const int room = look_.height - titles;
     options.width_px = std::max(320, look_.width);
     Image figure = figure::draw_field(field_, options);
     for (int i = 0; i < 6 && figure.height > room && options.width_px > 320; ++i) {
       options.width_px = std::max(320, options.width_px * room / figure.height);
       figure = figure::draw_field(field_, options);
     }
-    frame = centred(figure, look_.width, look_.height);
+    frame = figure.height <= room ? on_paper(figure, look_.width, look_.height, titles) : bare(options);
   } else {
     frame = bare(options);
   }

@@ -64,7 +64,7 @@ Status FilmRenderer::make_panes(Diagnostics& diagnostics) {
     look.quality = film_.quality;
     look.inset = inside && i > 0;
     look.lines_at_right = inside && i == 0 && film_.corner == film::Corner::kTopLeft;
-    warn_of_band(look, sources_[i].title, diagnostics);
+    if (sources_[i].said.kind == film::SourceKind::kRecording) warn_of_band(look, sources_[i].title, diagnostics);
     TROCAR_ASSIGN_OR_RETURN(std::unique_ptr<FilmPane> pane, make_pane(sources_[i], look));
     panes_.push_back(std::move(pane));
   }
