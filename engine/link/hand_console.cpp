@@ -50,6 +50,8 @@ Result<HandConsoleReport> run_hand_console(const HandConsoleOptions& options, Pr
   HandConsoleReport report;
   report.connections = 1;
   const std::int64_t begin_ns = monotonic_ns();
+  std::int64_t answered_ns = begin_ns;
+  std::uint64_t answered = 0;
   for (std::int64_t i = 0; !progress.cancelled(); ++i) {
     const double t_s = static_cast<double>(i) / options.rate_hz;
     if (t_s > options.seconds) break;
@@ -58,16 +60,23 @@ Result<HandConsoleReport> run_hand_console(const HandConsoleOptions& options, Pr
     // Who woke late sends what is true now, not what was then.
     const double now_s = 1e-9 * static_cast<double>(monotonic_ns() - begin_ns);
     i = std::max(i, static_cast<std::int64_t>(std::floor(now_s * options.rate_hz)));
-    if (const Status sent = client.send(options.hand(static_cast<double>(i) / options.rate_hz)); !sent) {
+    const Status sent = client.send(options.hand(static_cast<double>(i) / options.rate_hz));
+    if (client.answered() != answered) answered_ns = monotonic_ns();
+    answered = client.answered();
+    if (!sent) {
       if (sent.error().code() == ErrorCode::kUnsupported) return tl::unexpected(sent.error());
       settle(client, report);
-      auto again = connect(options, progress);
+      // A relay takes every connection; only an answer tells that the workbench is behind it.
+      if (answered == 0) sleep_until(monotonic_ns() + kRetry_ns);
+      const bool gone = monotonic_ns() > later(answered_ns, options.patience_s);
+      auto again = gone ? Result<HandClient>(tl::unexpected(sent.error())) : connect(options, progress);
       if (!again) {
         report.ended = sent.error().text();
         report.seconds = 1e-9 * static_cast<double>(monotonic_ns() - begin_ns);
         return report;
       }
       client = std::move(*again);
+      answered = 0;
       ++report.connections;
     }
   }

@@ -1,0 +1,89 @@
+"""A trial by a console over TCP, both programs as a user starts them. Nothing here depends on how fast the machine is.
+
+Usage: cli_link_test.py
+"""
+import json
+import os
+import pathlib
+import subprocess
+import unittest
+
+from cli_support import DONE, TROCAR, USAGE, WORLD, CommandLineTest
+
+CONSOLE = str(pathlib.Path(TROCAR).with_name("trocar-console"))
+
+
+def start(*arguments):
+    return subprocess.Popen(list(map(str, arguments)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+class Link(CommandLineTest):
+    def run_over_the_link(self, project, *console, trial=()):
+        """The answers of `trocar trial run --operator tcp` and of the console."""
+        running = start(TROCAR, "trial", "run", project, "--mode", "MT", "--operator", "tcp", "--listen",
+                        self.free_port(), "--json", *trial)
+        self.addCleanup(running.kill)
+        waiting = running.stderr.readline()
+        self.assertTrue(waiting.startswith("waiting for a console at port "), waiting)
+        port = waiting.split()[-1]
+        sent = subprocess.run([CONSOLE, "--connect", f"127.0.0.1:{port}", "--json", *map(str, console)],
+                              capture_output=True, text=True, timeout=300)
+        out, err = running.communicate(timeout=300)
+        self.assertEqual(running.returncode, DONE, err)
+        self.assertEqual(sent.returncode, DONE, sent.stderr)
+        return json.loads(out), json.loads(sent.stdout)
+
+    def free_port(self):
+        import socket
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            return free.getsockname()[1]
+
+    def test_a_scripted_hand_moves_the_tool_and_is_never_a_person(self):
+        project = self.empty_project()
+        script = self.folder / "moves.hand"
+        script.write_text("0.3 move 0.05 0 0 over 0.5\n1 clutch down\n1.2 clutch up\n30 end\n")
+        log = self.folder / "relay.csv"
+        trial, console = self.run_over_the_link(
+            project, "--source", "scripted", "--script", script, "--delay", "ar1:20:5", "--relay-log", log,
+            trial=("--time-limit", 3))
+        kept = trial["trials"][0]
+        self.assertEqual((kept["operator"], kept["outcome"]), ("scripted", "unfinished"))
+        self.assertEqual(kept["clutches"], 1)
+        self.assertGreater(kept["path_length_m"], 0.009)
+        self.assertGreaterEqual(trial["loop"]["ticks"], 3000)
+        self.assertEqual(sum(row["ticks"] for row in trial["loop"]["classes"]), trial["loop"]["ticks"])
+        self.assertEqual(trial["link"]["malformed"], 0)
+        self.assertGreater(trial["link"]["frames"], 0)
+        self.assertGreater(trial["link"]["delay_p50_ms"], 5.0)
+        self.assertEqual(console["relay"]["delay"], "ar1:20:5")
+        self.assertGreater(console["relay"]["applied"]["mean_ms"], 5.0)
+        self.assertEqual(len(log.read_text().splitlines()) - 1, console["relay"]["relayed"])
+        # What was recorded replays to the same hashes, however late the network and the loop were.
+        self.assertTrue(self.answer("trial", "replay", project, kept["id"], "--verify")["verified"])
+        self.assertEqual(self.answer("trial", "list", project)["trials"][0]["operator"], "scripted")
+
+    def test_a_replayed_demonstration_leads_the_tool_along_its_path(self):
+        project = self.recorded_project()
+        trial, console = self.run_over_the_link(project, "--source", "replay", "--replay", project, "Expert",
+                                                trial=("--time-limit", 4, "--block", 0))
+        self.assertGreater(trial["trials"][0]["path_length_m"], 0.01)
+        self.assertGreater(console["sent"], 0)
+
+    def test_what_makes_no_sense_is_refused(self):
+        project = self.empty_project()
+        tcp = ("trial", "run", project, "--mode", "MT", "--operator", "tcp")
+        self.refused(*tcp, code=USAGE, saying="--listen")
+        self.refused(*tcp, "--listen", "0", code=USAGE, saying="no place")
+        self.refused(*tcp, "--listen", self.free_port(), "--transfers", "2", code=USAGE, saying="one transfer")
+        self.refused("trial", "run", project, "--mode", "MT", "--listen", "5005", code=USAGE, saying="--operator tcp")
+        nobody = self.answer(*tcp, "--listen", self.free_port(), "--wait", "0.1", code=WORLD)
+        self.assertIn("no console came", nobody["error"])
+        done = subprocess.run([CONSOLE, "--connect", f"127.0.0.1:{self.free_port()}", "--patience", "0"],
+                              capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, WORLD)
+        self.assertTrue(done.stderr.startswith("trocar-console: could not connect"), done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
