@@ -124,11 +124,12 @@ bool Shell::form_open() const {
 
 Requests Shell::take_keys(Ui& ui, const WorkbenchState& state) const {
   Requests requests;
+  // Stop is there whatever else the keys are for.
+  const bool stops = state.trials && state.live && ui.input().pressed(Key::kEscape);
+  if (stops) return {workbench::Command{workbench::StopTrial{}}};
   if (keys_.capturing() || tiles_.dragging()) return requests;
   const bool typing = ImGui::GetIO().WantTextInput;
   const auto means = [&](const Chord& chord) {
-    // Stop is there whatever has the keyboard.
-    if (chord.key == Key::kEscape && state.trials && state.live && pressed(ui.input(), chord)) return true;
     if (!pressed(ui.input(), chord) || TakeKeys::claims(chord, state)) return false;
     if (tiles_.panel(tiles_.current(ui)).claims(ui, chord, state)) return false;
     // While a field has the keyboard or a form lies on top, only chords that cannot be text go to the window.

@@ -153,6 +153,11 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
   if (arguments.mode.empty() == arguments.protocol.empty()) {
     return fail(ErrorCode::kInvalidArgument, "say --mode MT or --mode SC, or a --protocol with its blocks");
   }
+  if (!arguments.protocol.empty() && arguments.delay != "0") {
+    return fail(ErrorCode::kInvalidArgument, "a protocol says the delay of each block: no --delay-ms with --protocol");
+  }
+  if (!arguments.protocol.empty() && plan.subject.empty())
+    plan.subject = fmt::format("S{}", arguments.subject_number + 1);
   if (!arguments.mode.empty()) {
     TROCAR_ASSIGN_OR_RETURN(plan.options.mode, trial::mode_from(arguments.mode));
   }

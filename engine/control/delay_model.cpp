@@ -79,6 +79,7 @@ Result<DelayOptions> delay_from(std::string_view text) {
   }
   if (main.starts_with("trace:")) {
     options.kind = DelayKind::kTrace;
+    options.file = main.substr(6);
     TROCAR_ASSIGN_OR_RETURN(options.trace_s, read_trace(std::string(main.substr(6))));
     return options;
   }
@@ -104,7 +105,7 @@ Result<DelayOptions> delay_from(std::string_view text) {
 std::string to_string(const DelayOptions& options) {
   std::string text;
   if (options.kind == DelayKind::kConstant) text = fmt::format("{:g}", 1e3 * options.mean_s);
-  if (options.kind == DelayKind::kTrace) text = fmt::format("trace of {}", options.trace_s.size());
+  if (options.kind == DelayKind::kTrace) text = "trace:" + options.file;
   for (const auto& [name, kind] : kSpread) {
     if (kind == options.kind) text = fmt::format("{}:{:g}:{:g}", name, 1e3 * options.mean_s, 1e3 * options.deviation_s);
   }

@@ -26,6 +26,7 @@ struct DelayOptions {
   double stall_chance = 0.0;  ///< Of each message: lost and sent again, everything behind it waits.
   double stall_s = 0.2;
   std::vector<double> trace_s;
+  std::string file;  ///< Of the trace.
   std::uint64_t seed = 1;
   bool operator==(const DelayOptions&) const = default;
 };

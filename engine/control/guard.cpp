@@ -1,5 +1,6 @@
 #include "engine/control/guard.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -163,6 +164,23 @@ std::string Guard::forbidden(const Eigen::Vector3d& p_W, bool autonomous) const 
   return "";
 }
 
+Eigen::Vector3d Guard::within_box(const Eigen::Vector3d& wish, double period_s) const {
+  Eigen::Vector3d bounded = settings_.tip_W.clamp(wish);
+  const Eigen::Vector3d& now = limiter_.setpoint().X_WT.p;
+  // Half of what the arm could do is left for the other axes, and for the period that braking begins late.
+  const double a = 0.5 * settings_.limits.acceleration_m_s2;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto fastest = [&](double room) {
+      const double step = a * period_s;
+      return std::max(0.0, std::sqrt(step * step + 2.0 * a * std::max(0.0, room)) - step);
+    };
+    const double up = fastest(settings_.tip_W.high[axis] - now[axis]) * period_s;
+    const double down = fastest(now[axis] - settings_.tip_W.low[axis]) * period_s;
+    bounded[axis] = std::clamp(bounded[axis], now[axis] - down, now[axis] + up);
+  }
+  return bounded;
+}
+
 Admitted Guard::stand(const Wish& wish, Rule rule) {
   Admitted admitted;
   admitted.command = limiter_.brake(wish.period_s);
@@ -198,10 +216,6 @@ Admitted Guard::admit(const Wish& wish) {
     engaged_ = true;
   }
   ToolCommand command = wish.command;
-  if (obeys(Rule::kWorkspace) && !settings_.tip_W.contains(command.X_WT.p)) {
-    command.X_WT.p = settings_.tip_W.clamp(command.X_WT.p);
-    ++counts_[static_cast<std::size_t>(Rule::kWorkspace)];
-  }
   if (obeys(Rule::kLimits) && (command.X_WT.p - limiter_.setpoint().X_WT.p).norm() > settings_.jump_m) {
     go(GuardState::kHeld, Rule::kLimits, "a jump of more than 5 mm");
     return stand(wish, Rule::kLimits);
@@ -209,6 +223,18 @@ Admitted Guard::admit(const Wish& wish) {
   // Where it would come to rest if it had to brake from there.
   const Eigen::Vector3d v = (command.X_WT.p - limiter_.setpoint().X_WT.p) / wish.period_s;
   const Eigen::Vector3d rest = command.X_WT.p + v * (v.norm() / (2.0 * settings_.limits.acceleration_m_s2));
+  bool at_face = false;
+  if (obeys(Rule::kWorkspace)) {
+    const Eigen::Vector3d bounded = within_box(command.X_WT.p, wish.period_s);
+    at_face = bounded != command.X_WT.p;
+    if (at_face) ++counts_[static_cast<std::size_t>(Rule::kWorkspace)];
+    if (at_face && !at_face_) {
+      --counts_[static_cast<std::size_t>(Rule::kWorkspace)];
+      note(Rule::kWorkspace, "at its limit: the workspace");
+    }
+    command.X_WT.p = bounded;
+  }
+  at_face_ = at_face;
   if (const std::string why = forbidden(rest, wish.autonomous); !why.empty()) {
     go(GuardState::kHeld, Rule::kWorkspace, why);
     return stand(wish, Rule::kWorkspace);

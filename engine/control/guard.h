@@ -142,6 +142,8 @@ class Guard {
   void look_at_arm(const GuardLook& look);
   void look_at_dead_man(const GuardLook& look);
   Admitted stand(const Wish& wish, Rule rule);
+  /// As near to `wish` as lets the tool brake before each face of the box (rule 4).
+  Eigen::Vector3d within_box(const Eigen::Vector3d& wish, double period_s) const;
   /// What rule 4 says of a place, "" if nothing.
   std::string forbidden(const Eigen::Vector3d& p_W, bool autonomous) const;
 
@@ -164,6 +166,7 @@ class Guard {
   std::array<std::int64_t, kRules + 1> counts_{};
   std::vector<GuardEvent> events_;
   LimitReport limits_before_;
+  bool at_face_ = false;  ///< The last wish was held off a face of the box.
 };
 
 }  // namespace trocar::control

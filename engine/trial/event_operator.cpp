@@ -42,7 +42,17 @@ HandSample EventOperator::sample(const simulation::WorldState& seen) {
   hand.grip_rad = wish.jaw_rad;
   hand.agent_pedal = agent_pedal_;
   hand.clutch_pedal = clutch_;
+  last_ = hand;
   return hand;
+}
+
+std::optional<HandSample> EventOperator::news(Tick now) {
+  static_cast<void>(now);
+  take_events();
+  if (last_.agent_pedal == agent_pedal_ && last_.clutch_pedal == clutch_) return std::nullopt;
+  last_.agent_pedal = agent_pedal_;
+  last_.clutch_pedal = clutch_;
+  return last_;
 }
 
 }  // namespace trocar::trial

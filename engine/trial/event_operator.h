@@ -23,6 +23,8 @@ class EventOperator final : public OperatorInput {
   bool post(const HandEvent& event) { return events_.push(HandEvent(event)); }
 
   HandSample sample(const simulation::WorldState& seen) override;
+  /// The hand as it was, with the pedals as they are, if one has changed since.
+  std::optional<HandSample> news(Tick now) override;
   std::string_view name() const override { return "keyboard and mouse"; }
 
  private:
@@ -34,6 +36,7 @@ class EventOperator final : public OperatorInput {
   ToolHand hand_;
   bool agent_pedal_ = false;
   bool clutch_ = false;
+  HandSample last_;
   SpscQueue<HandEvent> events_{1024};
 };
 

@@ -6,8 +6,6 @@
 namespace trocar::trial {
 namespace {
 
-constexpr double kScale = 0.2;  // What the operator learned the controls with: `ArmDrive`'s default.
-
 // Nobody misjudges by more: the jaw would be seen to stand over the peg, past the wall's end or on the board.
 const Eigen::Vector3d kSeen_m{0.0030, 0.0013, 0.0060};
 
@@ -19,7 +17,7 @@ ScriptedOperator::ScriptedOperator(kinematics::ArmSide side, const Assignment& a
       name_("scripted " + assignment.skill_name),
       random_(random),
       eyes_(assignment.block, assignment.skill.visual_delay_s),
-      hand_(assignment.skill, random.child(2), control::display_rotation(), kScale) {}
+      hand_(assignment.skill, random.child(2), control::display_rotation(), assignment.scale) {}
 
 HandSample ScriptedOperator::sample(const simulation::WorldState& seen) {
   ++now_;

@@ -20,6 +20,7 @@ struct Assignment {
   double aim_jitter_m = -1.0;
   /// Presses the left pedal where the agent can do it, waits, and goes on from where it rests.
   bool shares_control = false;
+  double scale = 0.2;  ///< From hand to tool, which the person knows.
 };
 
 /// Where the hand is to bring the tool, and how exactly.

@@ -30,6 +30,7 @@ using kinematics::ArmSide;
 
 constexpr Tick kRecordedAfterwards{1000};
 constexpr double kMillisecond_s = 1e-3;
+constexpr double kAssistantScale = 0.2;  ///< From hand to tool.
 
 simulation::WorldOptions world_options(const TrialOptions& options) {
   simulation::WorldOptions world;
@@ -55,6 +56,7 @@ demonstration::Provenance provenance_of(const TrialOptions& options, const simul
 Assignment assignment_of(const TrialOptions& options, Skill skill) {
   Assignment assignment{options.block, options.goal, parameters(skill), std::string(to_string(skill)), -1.0};
   assignment.shares_control = options.mode == Mode::kShared;
+  assignment.scale = options.scale;
   return assignment;
 }
 
@@ -100,14 +102,16 @@ struct SharedControlSession::Impl {
         task(options.block, options.goal),
         arms{SimulatedArm(world, ArmSide::kLeft), SimulatedArm(world, ArmSide::kRight)},
         left(arms[0], guard_settings(), options.scale),
-        right(arms[1], guard_settings(), 0.2),
+        right(arms[1], guard_settings(), kAssistantScale),
         line(options.delay),
         from{arms[0].setpoint_cp(), arms[1].setpoint_cp()},
         to(from) {
     // One stream each, the same in both modes: what happens first to a person under MT happens to them under SC.
     const Random random = Random(options.seed).child(0);
     scripted_user = std::make_unique<ScriptedUser>(assignment_of(options, options.skill), random.child(1));
-    scripted_assistant = std::make_unique<ScriptedAssistant>(assignment_of(options, Skill::kExpert), random.child(2));
+    Assignment of_assistant = assignment_of(options, Skill::kExpert);
+    of_assistant.scale = kAssistantScale;
+    scripted_assistant = std::make_unique<ScriptedAssistant>(of_assistant, random.child(2));
     user = inputs.user != nullptr ? inputs.user : scripted_user.get();
     assistant = inputs.assistant != nullptr ? inputs.assistant : scripted_assistant.get();
     for (const AgentModel& model : options.agents) agents.emplace_back(model, options.agent_rate_hz);
@@ -215,7 +219,9 @@ struct SharedControlSession::Impl {
       driving->begin(left.guard().setpoint().X_WT.p, left.guard().velocity());
       log(TrialEventKind::kAgent, "begins: " + driving->model().name);
     }
-    if (machine.state() == ControlState::kOperator) left.take_over(line.sample());
+    // The clutch engages too: what the hand meant before the agent moved the tool, it means no more.
+    const bool hand = machine.state() == ControlState::kOperator || machine.state() == ControlState::kClutch;
+    if (hand) left.take_over(line.sample());
   }
 
   // --- Motion -----------------------------------------------------------------------------------------------------
@@ -268,7 +274,7 @@ struct SharedControlSession::Impl {
     const double period_s = rest * kMillisecond_s;
     if (sub == 0) from = to;
     to[0] = left_setpoint(period_s);
-    if (sub == 0) {
+    if (sub == 0 || stopping) {
       to[1] = stopping || stopped ? right.rest(period_s) : right.follow(hand_right, stamp(), period_s);
     }
     span = rest;
@@ -286,6 +292,7 @@ struct SharedControlSession::Impl {
     samples.insert(samples.end(), between_samples.begin(), between_samples.end());
     between_samples.clear();
     left.guard().cut_short(from[0]);
+    if (stopping) right.guard().cut_short(from[1]);
   }
 
   void step() {
@@ -336,7 +343,9 @@ struct SharedControlSession::Impl {
   void log(TrialEventKind kind, std::string text) { events.push_back({now().count, kind, std::move(text)}); }
 
   void count_time() {
-    if (outcome() != Outcome::kUnfinished) return;
+    // E begins with success, and lasts until the block is placed.
+    const bool placing = task.segment() == Segment::kE && !task.placed();
+    if (outcome() != Outcome::kUnfinished && !placing) return;
     counts.segment_s[static_cast<std::size_t>(task.segment())] += kMillisecond_s;
     if (machine.state() == ControlState::kAgent) counts.agent_s += kMillisecond_s;
     if (machine.state() == ControlState::kClutch) counts.clutch_s += kMillisecond_s;
@@ -391,7 +400,7 @@ struct SharedControlSession::Impl {
 
   TrialCounts counted() const {
     TrialCounts all = counts;
-    all.attempts = scripted_user->attempts();
+    all.attempts = task.misses() + task.lifts();
     all.misses = task.misses();
     all.clutches = left.mapping().count();
     all.hand_overs = machine.hand_overs();

@@ -73,7 +73,10 @@ void Task::update_outcome(const simulation::WorldState& state) {
   const Eigen::Vector3d& p_WK = block.X_WK.p;
   const bool held = block.held_by(ArmSide::kLeft);
   const bool touched = block.touched_by(ArmSide::kLeft) || block.touched_by(ArmSide::kRight);
-  if (lifted_.update(held && p_WK.z() >= peg_board::kBlockRest_m + kLift_m, state.tick)) lift_attempted_ = true;
+  const bool lifted = lifted_.update(held && p_WK.z() >= peg_board::kBlockRest_m + kLift_m, state.tick);
+  if (lifted) lift_attempted_ = true;
+  if (lifted && !lifting_) ++lifts_;
+  lifting_ = lifted;
 
   if (outcome_ == Outcome::kUnfinished) {
     const bool assistant_holds = handed_.update(block.held_by(ArmSide::kRight), state.tick);

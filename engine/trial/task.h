@@ -41,6 +41,8 @@ class Task {
   bool lift_attempted() const { return lift_attempted_; }
   /// Times the left jaws closed and stayed shut without the block.
   int misses() const { return misses_; }
+  /// Times it was lifted after it had rested: each is an attempt, as is each miss.
+  int lifts() const { return lifts_; }
   /// When the outcome was decided.
   std::optional<Tick> decided_at() const { return decided_at_; }
 
@@ -58,6 +60,8 @@ class Task {
   bool placed_ = false;
   bool lift_attempted_ = false;
   int misses_ = 0;
+  int lifts_ = 0;
+  bool lifting_ = false;
   Lasting lifted_;
   Lasting lost_;
   Lasting handed_;

@@ -13,7 +13,7 @@ using demonstration::Sample;
 
 constexpr double kCutOff_hz = 10.0;
 constexpr double kThreshold = 0.05;
-constexpr std::size_t kPadding = 4;
+constexpr std::size_t kPadding = 16;  // 2⁴
 
 Eigen::Vector3d tip(const Sample& sample) {
   return sample.arms[0].measured.pose().p;

@@ -142,6 +142,7 @@ std::string to_json(const TrialRecord& record) {
                  {"session", record.session},
                  {"block_number", record.block_number},
                  {"transfer", record.transfer},
+                 {"in_results", record.in_results},
                  {"seed", record.seed},
                  {"block", record.block},
                  {"goal", record.goal},
@@ -187,6 +188,7 @@ Result<TrialRecord> record_from_json(std::string_view text) {
   reader.read("session", record.session);
   reader.read("block_number", record.block_number);
   reader.read("transfer", record.transfer);
+  reader.read("in_results", record.in_results);
   reader.read("seed", record.seed);
   reader.read("block", record.block);
   reader.read("goal", record.goal);

@@ -30,6 +30,7 @@ struct TrialRecord {
   std::string session;        ///< What was run together has the same.
   int block_number = 0;       ///< Of the protocol, from 0.
   int transfer = 0;           ///< In its block, from 0.
+  bool in_results = true;     ///< Familiarisation is not.
   std::uint64_t seed = 0;
   int block = 0;
   int goal = 0;
@@ -58,7 +59,7 @@ struct TrialRecord {
 TrialMetrics trial_metrics(const std::vector<demonstration::Sample>& samples, std::optional<double> completion_s,
                            double agent_s);
 /// Spectral arc length of a speed profile sampled at `rate_hz`: amplitude threshold 0.05, cut-off at most 10 Hz, zero
-/// padding fourfold. 0 for fewer than 8 samples or a tool at rest.
+/// padding to 2⁴ times the next power of two. 0 for fewer than 8 samples or a tool at rest.
 double spectral_arc_length(const std::vector<double>& speed, double rate_hz);
 
 /// As an object, for the journal. The reader takes what it knows and refuses what makes no sense (kCorrupt).

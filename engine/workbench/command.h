@@ -267,9 +267,8 @@ struct JudgeTake {
 struct StartTrials {
   TrialPlan plan;          ///< Of every block; mode and delay are the block's.
   std::string protocol;    ///< As `trial::find_protocol` takes it; "": none.
-  int subject_number = 0;  ///< For the order of blocks.
-  std::uint64_t order_seed = 1;
-  bool person = false;  ///< At the keyboard; else the scripted operator of the plan's skill.
+  int subject_number = 0;  ///< For the order of blocks, with the plan's seed.
+  bool person = false;     ///< At the keyboard; else the scripted operator of the plan's skill.
   bool realtime = true;
 };
 /// The next block of those that were prepared.

@@ -125,7 +125,9 @@ LiveRecording::End LiveRecording::conclude_trial() {
       record_of(*trial_->session, trial_->request.plan, trial_->request.transfer, trial_->samples, trial_->events);
   // Ended by the runner, in the middle of it.
   record.interrupted = !trial_->session->done();
-  if (record.interrupted) record.outcome = demonstration::Outcome::kAborted;
+  if (record.interrupted && record.outcome == demonstration::Outcome::kUnfinished) {
+    record.outcome = demonstration::Outcome::kAborted;
+  }
   const Result<demonstration::RecordingId> recording = writer_.finish_recording(record.outcome, record.placed);
   if (!recording) return {tl::unexpected(recording.error()), {}, {}};
   const Result<std::int64_t> node = file_->commit(AddTrial{*recording, writer_.name(), record});

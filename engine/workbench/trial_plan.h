@@ -22,6 +22,7 @@ struct TrialPlan {
   std::string subject;
   std::string session;
   int block_number = 0;
+  bool in_results = true;  ///< Familiarisation is not.
 };
 
 }  // namespace trocar::workbench

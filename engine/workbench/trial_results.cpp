@@ -20,12 +20,21 @@ std::string operator_of(const TrialRecord& record) {
   return record.skill.empty() ? record.operator_kind : record.operator_kind + " " + record.skill;
 }
 
+/// It tells nothing of the mode.
+bool stopped(const TrialRecord& record) {
+  return record.interrupted || record.outcome == Outcome::kAborted || record.outcome == Outcome::kFault;
+}
+
 ModeResults of_mode(const Trials& trials, trial::Mode mode) {
   ModeResults results;
   int counted = 0;
   for (const auto& each : trials) {
     const TrialRecord& record = each->record;
     if (record.mode != mode) continue;
+    if (stopped(record)) {
+      ++results.stopped;
+      continue;
+    }
     ++results.trials;
     results.placed += record.placed ? 1 : 0;
     results.dropped += record.outcome == Outcome::kDropped ? 1 : 0;
@@ -57,13 +66,15 @@ ModeResults of_mode(const Trials& trials, trial::Mode mode) {
 }
 
 PairedResults paired(const Trials& trials) {
-  using Key = std::tuple<std::string, std::string, std::uint64_t, int>;
+  // The same person or script, scene and conditions; in shared control the models are the mode's own matter.
+  using Key = std::tuple<std::string, std::string, std::uint64_t, int, int, std::string, double>;
   std::map<Key, std::array<const TrialRecord*, 2>> pairs;
   for (const auto& each : trials) {
     const TrialRecord& record = each->record;
-    const Key key{record.subject, operator_of(record), record.seed, record.block};
+    const Key key{record.subject, operator_of(record), record.seed, record.block,
+                  record.goal,    record.delay,        record.scale};
     // What was stopped tells nothing of the mode. Run again, the last one counts.
-    if (record.outcome == Outcome::kAborted || record.outcome == Outcome::kFault) continue;
+    if (stopped(record)) continue;
     pairs[key][record.mode == trial::Mode::kManual ? 0 : 1] = &record;
   }
   PairedResults results;
@@ -92,7 +103,8 @@ PairedResults paired(const Trials& trials) {
 Trials counted_trials(const Project& project, const std::string& session) {
   Trials trials;
   for (const auto& [id, trial] : project.trials) {
-    if (!trial->excluded && (session.empty() || trial->record.session == session)) trials.push_back(trial);
+    const bool counts = !trial->excluded && trial->record.in_results;
+    if (counts && (session.empty() || trial->record.session == session)) trials.push_back(trial);
   }
   return trials;
 }
@@ -136,8 +148,11 @@ TrialResults results_of(const Trials& trials) {
   std::set<std::string> operators;
   for (const auto& each : trials) {
     operators.insert(operator_of(each->record));
-    results.scripted = results.scripted || each->record.operator_kind == "scripted";
+    const bool script = each->record.operator_kind == "scripted";
+    results.scripted = results.scripted || script;
+    results.mixed = results.mixed || !script;
   }
+  results.mixed = results.mixed && results.scripted;
   results.operators.assign(operators.begin(), operators.end());
   return results;
 }

@@ -17,8 +17,7 @@ namespace trocar::workbench {
 
 using Trials = std::vector<std::shared_ptr<const TrialEntry>>;
 
-/// Those that count, by id: not excluded, of this session (""; all). A person's and a script's are never mixed: see
-/// `TrialResults::operators`.
+/// Those that count, by id: not excluded, no familiarisation, of this session (""; all).
 Trials counted_trials(const Project& project, const std::string& session);
 
 /// One row for each trial, excluded ones too, and one for each of its segments. Every row says who made it: "scripted"
@@ -27,7 +26,8 @@ std::string trials_csv(const Project& project, const std::string& session);
 std::string segments_csv(const Project& project, const std::string& session);
 
 struct ModeResults {
-  int trials = 0;
+  int trials = 0;   ///< That were not stopped.
+  int stopped = 0;  ///< Aborted, interrupted or ended by a fault: they tell nothing of the mode.
   int succeeded = 0;
   int dropped = 0;
   int placed = 0;
@@ -67,6 +67,7 @@ struct TrialResults {
   PairedResults paired;
   std::vector<std::string> operators;  ///< "scripted expert", "person" …: whose trials these are.
   bool scripted = false;               ///< Any of them: to be labelled so wherever they are shown.
+  bool mixed = false;                  ///< Persons' and scripts' together.
 };
 TrialResults results_of(const Trials& trials);
 /// Completion and segments of those that succeed, and each pair: to be drawn.

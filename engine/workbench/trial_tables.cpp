@@ -57,7 +57,8 @@ std::string escaped(const std::string& text) {
 std::string trials_csv(const Project& project, const std::string& session) {
   std::string csv(kWho);
   csv +=
-      ",outcome,placed,interrupted,completion_s,duration_s,attempts,misses,clutches,clutch_s,hand_overs,agent_s,"
+      ",outcome,placed,interrupted,in_results,completion_s,duration_s,attempts,misses,clutches,clutch_s,hand_overs,"
+      "agent_s,"
       "agent_share,agent_steps,path_length_m,economy,smoothness,limit_hits,unreachable,delay,delay_mean_s,"
       "delay_worst_s,anchor,scale,agent_rate_hz,models,excluded,reason\n";
   for (const auto& [id, trial] : project.trials) {
@@ -69,15 +70,15 @@ std::string trials_csv(const Project& project, const std::string& session) {
                             model.name, model.hash);
     }
     csv += who(*trial);
-    csv +=
-        fmt::format(",{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{}\n",
-                    to_string(r.outcome), r.placed, r.interrupted, r.completion_s ? number(*r.completion_s) : "",
-                    number(r.duration_s), r.counts.attempts, r.counts.misses, r.counts.clutches,
-                    number(r.counts.clutch_s), r.counts.hand_overs, number(r.counts.agent_s),
-                    number(r.metrics.agent_share), r.counts.agent_steps, number(r.metrics.path_length_m),
-                    number(r.metrics.economy), number(r.metrics.smoothness), r.counts.limit_hits, r.counts.unreachable,
-                    field(r.delay), number(r.counts.delay_mean_s), number(r.counts.delay_worst_s), to_string(r.anchor),
-                    number(r.scale), number(r.agent_rate_hz), field(models), trial->excluded, field(trial->reason));
+    csv += fmt::format(",{},{:d},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{}\n",
+                       to_string(r.outcome), r.placed, r.interrupted, r.in_results,
+                       r.completion_s ? number(*r.completion_s) : "", number(r.duration_s), r.counts.attempts,
+                       r.counts.misses, r.counts.clutches, number(r.counts.clutch_s), r.counts.hand_overs,
+                       number(r.counts.agent_s), number(r.metrics.agent_share), r.counts.agent_steps,
+                       number(r.metrics.path_length_m), number(r.metrics.economy), number(r.metrics.smoothness),
+                       r.counts.limit_hits, r.counts.unreachable, field(r.delay), number(r.counts.delay_mean_s),
+                       number(r.counts.delay_worst_s), to_string(r.anchor), number(r.scale), number(r.agent_rate_hz),
+                       field(models), trial->excluded, field(trial->reason));
   }
   return csv;
 }
@@ -99,6 +100,7 @@ std::string segments_csv(const Project& project, const std::string& session) {
 
 std::string operators_label(const TrialResults& results) {
   std::string words = fmt::format("{}", fmt::join(results.operators, ", "));
+  if (results.mixed) return words + "; made by scripts and by persons together";
   if (results.scripted) words += "; made by a script, no person took part";
   return words;
 }
@@ -124,6 +126,7 @@ std::vector<ResultRow> result_rows(const TrialResults& results) {
     rows.push_back({name, {of(results.modes[0]), of(results.modes[1])}});
   };
   row("Trials", [](const ModeResults& m) { return fmt::format("{}", m.trials); });
+  row("Stopped, left out", [](const ModeResults& m) { return fmt::format("{}", m.stopped); });
   row("Succeed", [](const ModeResults& m) {
     return m.trials == 0 ? std::string("–") : fmt::format("{} ({:.0f} %)", m.succeeded, 100.0 * m.success_share);
   });

@@ -32,7 +32,7 @@ void Workbench::Impl::on(const StartTrials& command) {
     const Result<trial::Protocol> protocol = trial::find_protocol(command.protocol);
     if (!protocol) return log(Severity::kError, protocol.error().text());
     trials.protocol = protocol->name;
-    trials.blocks = trial::order_for(*protocol, command.subject_number, command.order_seed);
+    trials.blocks = trial::order_for(*protocol, command.subject_number, command.plan.seed);
     trials.request.plan.options.time_limit_s = protocol->transfer_s;
   }
   // What cannot be run is said before anybody sits down.

@@ -81,6 +81,10 @@ Result<std::vector<trial::AgentModel>> agents_for(const Project& project, const 
     if (all.empty()) continue;
     const auto same =
         std::find_if(all.begin(), all.end(), [&](const auto& entry) { return block_of(project, *entry) == block; });
+    // On the board another block's model would lead to that block.
+    const bool serves_any = segment == Segment::kC || plan.options.anchor == trial::Anchor::kTarget;
+    const bool unknown = block_of(project, *all.front()) < 0;
+    if (same == all.end() && !serves_any && !unknown) continue;
     const ModelEntry& entry = same == all.end() ? *all.front() : **same;
     trial::AgentModel agent{entry.model, entry.name, segment, {0.0, 0.0, 0.0}};
     const int learned_at = block_of(project, entry);
@@ -113,6 +117,7 @@ trial::TrialRecord record_of(trial::SharedControlSession& session, const TrialPl
   record.session = plan.session;
   record.block_number = plan.block_number;
   record.transfer = transfer;
+  record.in_results = plan.in_results;
   record.seed = options.seed;
   record.block = options.block;
   record.goal = options.goal;
@@ -179,12 +184,18 @@ Result<std::vector<RanTrial>> run_block(const Project& project, TrialPlan plan, 
 
 Result<TrialPlan> plan_of(TrialPlan plan, const std::vector<trial::ProtocolBlock>& blocks, std::size_t number) {
   const trial::ProtocolBlock& block = blocks[number];
+  constexpr std::uint64_t kFamiliarisation = 500;
   std::uint64_t rank = 0;
-  for (std::size_t i = 0; i < number; ++i) rank += blocks[i].mode == block.mode ? 1 : 0;
+  for (std::size_t i = 0; i < number; ++i) {
+    rank += blocks[i].mode == block.mode && blocks[i].counts == block.counts ? 1 : 0;
+  }
+  // Scenes of their own for those that are tried before.
+  if (!block.counts) rank += kFamiliarisation;
   constexpr std::uint64_t kApart = 1000;
   plan.seed += rank * kApart;
   plan.options.mode = block.mode;
   plan.block_number = static_cast<int>(number);
+  plan.in_results = block.counts;
   TROCAR_ASSIGN_OR_RETURN(plan.options.delay, control::delay_from(block.delay));
   return plan;
 }

@@ -13,8 +13,9 @@
 
 namespace trocar::workbench {
 
-/// The models for a transfer of `block`: of each segment the one whose demonstration was of that block, else, with the
-/// lattice at the target, the first there is. None for a manual trial.
+/// The models for a transfer of `block`: of each segment the one whose demonstration was of that block. Where there is
+/// none, the first there is: of C, which ends at the hand-off for all, and of A with the lattice at the target; on the
+/// board the agent has none then. None for a manual trial.
 /// Errors: kNotFound for a model that is not there; kInvalidArgument for one that is of B, D or E.
 Result<std::vector<trial::AgentModel>> agents_for(const Project& project, const TrialPlan& plan, int block);
 

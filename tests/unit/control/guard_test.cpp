@@ -160,12 +160,22 @@ TEST_CASE("rule 3: speed, acceleration, turn and jaw saturate, and a jump holds"
 TEST_CASE("rule 4: floor and box for everyone; pegs and safe set for the agent") {
   const auto lowest = [](Gate& gate) {
     gate.moving();
-    for (int i = 0; i < 400; ++i) {
-      gate.wish.command = gate.guard.setpoint();
-      gate.wish.command.X_WT.p.z() -= 0.0004;
-      gate.send();
+    double lowest_m = 1.0;
+    for (const double fall_m : {0.0004, 0.0012}) {
+      gate.wish.command = Gate::place();
+      for (int i = 0; i < 200; ++i) {
+        gate.wish.command = gate.guard.setpoint();
+        gate.wish.command.X_WT.p.z() -= fall_m;
+        gate.send();
+        lowest_m = std::min(lowest_m, gate.sent.X_WT.p.z());
+      }
+      for (int i = 0; i < 200; ++i) {
+        gate.wish.command = gate.guard.setpoint();
+        gate.wish.command.X_WT.p.z() += 0.0004;
+        gate.send();
+      }
     }
-    return gate.sent.X_WT.p.z() >= gate.settings.tip_W.low.z() - 1e-9;
+    return lowest_m >= gate.settings.tip_W.low.z() - 1e-9;
   };
   only_by(Rule::kWorkspace, lowest);
   const auto into_the_peg = [](Gate& gate, bool autonomous) {

@@ -8,6 +8,7 @@
 #include "engine/trial/eyes.h"
 #include "engine/trial/sampling.h"
 #include "engine/trial/skill.h"
+#include "engine/trial/transfer_session.h"
 
 using namespace trocar;
 using control::ToolCommand;

@@ -206,6 +206,30 @@ TEST_CASE("both pedals hold the tool, and a tap moves nothing") {
   CHECK((session->state().arms[0].X_WT.p - before).norm() < 1e-9);
 }
 
+TEST_CASE("the clutch holds the tool where the agent has brought it, at once") {
+  for (const std::int64_t after : {30, 72, 400}) {
+    CAPTURE(after);
+    Feet feet;
+    feet.down_from = 500;
+    feet.down_to = 3000;
+    feet.clutch_from = 650 + after;
+    feet.clutch_to = 3000;
+    TrialOptions options = shared();
+    options.time_limit_s = 3.0;
+    auto session = SharedControlSession::create(options, {&feet, nullptr}).value();
+    while (session->state().tick.count < feet.clutch_from) session->step();
+    const Eigen::Vector3d there = session->state().arms[0].X_WT.p;
+    double farthest = 0.0;
+    while (!session->done()) {
+      session->step();
+      farthest = std::max(farthest, (session->state().arms[0].X_WT.p - there).norm());
+      CHECK(session->trial_status()->state != control::ControlState::kHold);
+    }
+    // What runs out of 50 mm/s within 40 ms is 1 mm.
+    CHECK(farthest < 0.0013);
+  }
+}
+
 TEST_CASE("stop ends it in any segment as aborted, and the arms rest") {
   for (const std::int64_t tick : {100, 2003, 8000, 12001}) {
     const Run stopped = run(shared(), tick);

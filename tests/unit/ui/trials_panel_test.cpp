@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/support/ui_desk.h"
+#include "ui/command_text.h"
 #include "ui/panels/authority_band.h"
 
 namespace trocar::ui {
