@@ -54,6 +54,30 @@ class TrialsTest(CommandLineTest):
         self.assertEqual(hashes[0], hashes[1])
         self.assertNotEqual(hashes[0][0], hashes[0][1])
 
+    def test_a_model_serves_the_block_that_it_was_learned_at(self):
+        project = self.project()
+        ran = self.answer("trial", "run", project, "--mode", "SC", "--transfers", "2", "--seed", "3")["trials"]
+        begun = []
+        for trial in ran:
+            events = self.answer("trial", "show", project, str(trial["id"]))["events"]
+            begun.append([event["text"] for event in events if event["text"].startswith("begins")])
+        self.assertEqual(begun[0], ["begins: A exact", "begins: C exact"])
+        # On the board the model of block 0 would lead to block 0: block 1 is the operator's in A.
+        self.assertNotIn("begins: A exact", begun[1])
+
+    def test_familiarisation_is_run_and_does_not_count(self):
+        project = self.project()
+        protocol = self.folder / "short.json"
+        protocol.write_text("""{"name": "Short", "fixed": 1, "blocks": [
+            {"name": "try it", "mode": "MT", "counts": false, "transfers": 1},
+            {"name": "manual", "mode": "MT", "transfers": 1}, {"name": "shared", "mode": "SC", "transfers": 1}]}""")
+        ran = self.answer("trial", "run", project, "--protocol", protocol, "--block", "0")["trials"]
+        self.assertEqual(sorted(trial["mode"] for trial in ran), ["MT", "MT", "SC"])
+        self.assertEqual({trial["subject"] for trial in ran}, {"S1"})
+        results = self.answer("trial", "results", project)
+        self.assertEqual((results["MT"]["trials"], results["SC"]["trials"], results["paired"]["pairs"]), (1, 1, 1))
+        self.refused("trial", "run", project, "--protocol", protocol, "--delay-ms", "20", code=USAGE, saying="delay")
+
     def test_results_are_tidy_say_scripted_and_leave_out_what_was_excluded(self):
         project = self.project()
         for mode in ("MT", "SC"):
