@@ -8,6 +8,7 @@ namespace trocar::control {
 namespace {
 
 constexpr std::size_t kMostEvents = 1000;
+constexpr Tick kAhead{5};  // a stamp may be of so much later: clocks differ a little
 constexpr double kSame_m = 1e-4;
 constexpr double kSame_rad = 1e-3;
 
@@ -103,10 +104,12 @@ void Guard::look_at_arm(const GuardLook& look) {
     trouble_ = true;
   }
   if (obeys(Rule::kAge)) {
-    const bool old = arm.stamp.count <= 0 || look.now.count - arm.stamp.count > settings_.feedback_age.count;
-    const bool backwards = looked_ && look.now < now_;
-    if (old) hold(Rule::kAge, "the arm's feedback is old");
-    if (backwards) hold(Rule::kAge, "the clock ran backwards");
+    const bool ahead = arm.stamp.count > look.now.count + kAhead.count;
+    const bool old = arm.stamp.count <= 0 || ahead || look.now.count - arm.stamp.count > settings_.feedback_age.count;
+    const bool backwards = looked_ && (look.now < now_ || arm.stamp < last_feedback_stamp_);
+    last_feedback_stamp_ = arm.stamp;
+    if (old) hold(Rule::kAge, ahead ? "the arm's feedback is of the future" : "the arm's feedback is old");
+    if (backwards) hold(Rule::kAge, "a clock ran backwards");
     trouble_ = trouble_ || old || backwards;
     command_late_ = commanded_ && look.now.count - last_command_stamp_.count > settings_.command_age.count;
     if (command_late_) hold(Rule::kAge, "no command came");
@@ -124,7 +127,8 @@ void Guard::look_at_arm(const GuardLook& look) {
 
 void Guard::look_at_dead_man(const GuardLook& look) {
   if (!look.dead_man) dead_man_up_seen_ = true;
-  const bool confirmed = look.now.count - look.dead_man_stamp.count <= settings_.heartbeat_age.count;
+  const std::int64_t age = look.now.count - look.dead_man_stamp.count;
+  const bool confirmed = age <= settings_.heartbeat_age.count && age >= -kAhead.count;
   const bool pressed = look.dead_man && (dead_man_up_seen_ || !obeys(Rule::kReadiness));
   if (state_ == GuardState::kArmed && pressed && (confirmed || !obeys(Rule::kDeadMan))) {
     go(GuardState::kMoving, Rule::kReadiness, "");
@@ -141,6 +145,7 @@ void Guard::look_at_dead_man(const GuardLook& look) {
 
 void Guard::look(const GuardLook& look) {
   trouble_ = false;
+  agent_pedal_ = look.agent_pedal;
   look_at_arm(look);
   now_ = look.now;
   looked_ = true;
@@ -194,7 +199,8 @@ Admitted Guard::admit(const Wish& wish) {
     note(Rule::kMalformed, "dropped a command that is no pose");
     return stand(wish, Rule::kMalformed);
   }
-  if (obeys(Rule::kAge) && (wish.stamp.count <= 0 || (commanded_ && wish.stamp <= last_command_stamp_))) {
+  if (obeys(Rule::kAge) && (wish.stamp.count <= 0 || wish.stamp.count > now_.count + kAhead.count ||
+                            (commanded_ && wish.stamp <= last_command_stamp_))) {
     note(Rule::kAge, "dropped a command whose stamp does not grow");
     return stand(wish, Rule::kAge);
   }
@@ -204,6 +210,10 @@ Admitted Guard::admit(const Wish& wish) {
     if (obeys(Rule::kReadiness)) return stand(wish, reason_);
   }
   if (state_ == GuardState::kHeld && trouble_) return stand(wish, reason_);
+  if (wish.autonomous && !agent_pedal_ && obeys(Rule::kDeadMan)) {
+    go(GuardState::kHeld, Rule::kDeadMan, "the agent's pedal is up");
+    return stand(wish, Rule::kDeadMan);
+  }
   Admitted admitted;
   if (!engaged_) {
     if (obeys(Rule::kFirstCommand) && !same(wish.command, limiter_.setpoint())) {

@@ -70,10 +70,11 @@ struct GuardSettings {
 struct GuardLook {
   Tick now;
   ArmFeedback feedback;
-  bool dead_man = false;   ///< The level of the dead-man of whoever steers.
-  Tick dead_man_stamp;     ///< When that was last confirmed.
-  bool connected = true;   ///< Who commands is there.
-  bool soft_stop = false;  ///< Somebody asks for it, now.
+  bool dead_man = false;     ///< The level of the dead-man of whoever steers.
+  Tick dead_man_stamp;       ///< When that was last confirmed.
+  bool agent_pedal = false;  ///< The level of the left pedal: without it nothing autonomous passes (rule 5).
+  bool connected = true;     ///< Who commands is there.
+  bool soft_stop = false;    ///< Somebody asks for it, now.
 };
 
 /// Where the tool shall be at the end of the coming period.
@@ -159,6 +160,8 @@ class Guard {
   Tick now_;
   bool looked_ = false;
   Tick last_command_stamp_;
+  Tick last_feedback_stamp_;
+  bool agent_pedal_ = false;
   bool commanded_ = false;
   bool command_late_ = false;
   bool trouble_ = false;  ///< What held it is still there.

@@ -1,6 +1,7 @@
 #include "engine/trial/guarded_arm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/demonstration/recording.h"
@@ -31,6 +32,8 @@ GuardedArm::GuardedArm(control::Arm& arm, control::GuardSettings settings, doubl
 
 void GuardedArm::take_over(const HandSample& hand) {
   carry_ = control::CarryOver(guard_.velocity());
+  jaw_follows_ = false;
+  grip_before_rad_ = hand.grip_rad;
   mapping_.take_over(hand.X_DH, guard_.setpoint().X_WT);
 }
 
@@ -47,6 +50,16 @@ ToolCommand GuardedArm::admit(const ToolCommand& wish, Tick now, double period_s
   return staying;
 }
 
+/// A hand that has opened while somebody else held the block must not drop it: the jaw waits for the grip to pass it.
+double GuardedArm::jaw_for(double grip_rad) {
+  constexpr double kSame_rad = 0.02;
+  const double jaw_rad = guard_.setpoint().jaw_rad;
+  const bool passed = (grip_before_rad_ - jaw_rad) * (grip_rad - jaw_rad) <= 0.0;
+  jaw_follows_ = jaw_follows_ || passed || std::abs(grip_rad - jaw_rad) < kSame_rad;
+  grip_before_rad_ = grip_rad;
+  return jaw_follows_ ? grip_rad : jaw_rad;
+}
+
 ToolCommand GuardedArm::follow(const HandSample& hand, Tick now, double period_s) {
   static const kinematics::JointLimit kJaw = kinematics::psm_model(kinematics::ArmSide::kLeft).jaw;
   const bool was_engaged = guard_.state() == control::GuardState::kMoving;
@@ -57,7 +70,7 @@ ToolCommand GuardedArm::follow(const HandSample& hand, Tick now, double period_s
     // What it was carried by stays in the engagement.
     if (carry_.over()) mapping_.take_over(hand.X_DH, wish.X_WT);
   }
-  wish.jaw_rad = std::clamp(hand.grip_rad, kJaw.low, kJaw.high);
+  wish.jaw_rad = std::clamp(jaw_for(hand.grip_rad), kJaw.low, kJaw.high);
   const ToolCommand next = admit(wish, now, period_s, false);
   // What was held or refused goes on from where the tool is, not from where the hand has gone meanwhile.
   if (!refusal_.empty() || !was_engaged || guard_.state() != control::GuardState::kMoving) take_over(hand);

@@ -29,6 +29,7 @@ class GuardedArm {
   control::ToolCommand rest(double period_s);
 
  private:
+  double jaw_for(double grip_rad);
   control::ToolCommand admit(const control::ToolCommand& wish, Tick now, double period_s, bool autonomous);
 
   control::Arm* arm_;
@@ -37,6 +38,8 @@ class GuardedArm {
   control::CarryOver carry_;
   control::LimitReport limits_;
   std::string refusal_;
+  bool jaw_follows_ = true;  ///< Not from take-over until the grip has come past where the jaw is.
+  double grip_before_rad_ = 0.0;
 };
 
 /// Limits, box, floor and the pegs of this board.

@@ -153,6 +153,7 @@ struct SharedControlSession::Impl {
     look.dead_man_stamp = Tick{link.stamp.count + 1};
     look.connected = link.connected;
     look.soft_stop = stopping;
+    look.agent_pedal = i == 0 && line.sample().agent_pedal;
     guards(i).look(look);
   }
 

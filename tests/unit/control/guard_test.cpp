@@ -180,7 +180,7 @@ TEST_CASE("rule 4: floor and box for everyone; pegs and safe set for the agent")
   only_by(Rule::kWorkspace, lowest);
   const auto into_the_peg = [](Gate& gate, bool autonomous) {
     gate.moving();
-    gate.wish.autonomous = autonomous;
+    gate.wish.autonomous = gate.look.agent_pedal = autonomous;
     for (int i = 0; i < 20; ++i) {
       gate.wish.command = gate.guard.setpoint();
       gate.wish.command.X_WT.p.z() -= 0.0004;
@@ -195,7 +195,7 @@ TEST_CASE("rule 4: floor and box for everyone; pegs and safe set for the agent")
   only_by(Rule::kWorkspace, [](Gate& gate) {
     gate.guard.set_safe_set([](const Vector3d& p) { return p.x() < 0.005; });
     gate.moving();
-    gate.wish.autonomous = true;
+    gate.wish.autonomous = gate.look.agent_pedal = true;
     for (int i = 0; i < 60; ++i) gate.shift(0.0004);
     return gate.x() < 0.006;
   });
@@ -219,6 +219,40 @@ TEST_CASE("rule 5: the dead-man is held, and confirmed again and again") {
       gate.wish.command.X_WT.p.x() += 1e-5;
       if (i % 5 == 0) gate.sent = gate.guard.admit(gate.wish).command;
     }
+    return gate.guard.state() == GuardState::kHeld;
+  });
+}
+
+TEST_CASE("rule 5: nothing of the agent's passes while its pedal is up, whoever says that it has the arm") {
+  only_by(Rule::kDeadMan, [](Gate& gate) {
+    gate.moving();
+    gate.wish.autonomous = true;
+    const bool up = gate.shift().held;
+    return up && gate.guard.state() == GuardState::kHeld;
+  });
+  Gate down;
+  down.moving();
+  down.wish.autonomous = down.look.agent_pedal = true;
+  CHECK_FALSE(down.shift().held);
+}
+
+TEST_CASE("rule 6: stamps of the future and feedback that runs backwards are not fresh") {
+  only_by(Rule::kAge, [](Gate& gate) {
+    gate.moving();
+    gate.look.feedback.stamp.count += 1000;
+    gate.guard.look(gate.look);
+    return gate.guard.state() == GuardState::kHeld;
+  });
+  only_by(Rule::kAge, [](Gate& gate) {
+    gate.moving();
+    gate.look.feedback.stamp.count -= 3;
+    gate.guard.look(gate.look);
+    return gate.guard.state() == GuardState::kHeld;
+  });
+  only_by(Rule::kDeadMan, [](Gate& gate) {
+    gate.moving();
+    gate.look.dead_man_stamp.count += 3'600'000;
+    gate.guard.look(gate.look);
     return gate.guard.state() == GuardState::kHeld;
   });
 }
