@@ -24,7 +24,7 @@ class Hints(CommandLineTest):
 
     def test_a_command_or_option_that_is_nearly_right_is_named(self):
         self.refused("dmeo", code=USAGE, saying="did you mean demo?")
-        self.refused("replay", "x", code=USAGE, saying="did you mean demo replay?")
+        self.refused("replay", "x", code=USAGE, saying="did you mean demo replay or trial replay?")
         self.refused("demo", "recrod", "x", code=USAGE, saying="did you mean record?")
         self.refused("field", "frob", code=USAGE, saying="there is export")
         self.refused("demo", code=USAGE, saying="record")
