@@ -55,7 +55,9 @@ class RealWindowTest(CommandLineTest):
     def setUp(self):
         super().setUp()
         read_end, write_end = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+        # A server that resets when its last client leaves, as xdotool does at each look, turns away who comes meanwhile.
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1280x800x24", "-nolisten", "tcp",
+                                        "-noreset"],
                                        pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
         self.addCleanup(self.server.wait)
