@@ -65,10 +65,18 @@ std::string erring_text(const learning::MonteCarloOptions& options) {
   return fmt::format(" --epsilon {:g} --runs {} --seed {}", options.epsilon, options.runs, options.seed);
 }
 
+std::string perturbed_text(const trial::Perturbation& perturbed) {
+  std::string text;
+  if (perturbed.epsilon > 0.0) text += fmt::format(" --epsilon {:.6g}", perturbed.epsilon);
+  if (perturbed.delay_s > 0.0) text += fmt::format(" --delay-ms {:.6g}", 1e3 * perturbed.delay_s);
+  if (perturbed.noise_m > 0.0) text += fmt::format(" --noise-mm {:.6g}", 1e3 * perturbed.noise_m);
+  return text;
+}
+
 std::string physics_text(const trial::PhysicsOptions& options, const WorkbenchState& state,
                          const std::string& project) {
   return rollouts_text("physics", state, project) + fmt::format(" --seed {}", options.seed) +
-         (options.continuous ? " --continuous" : "") + " --out ";
+         (options.continuous ? " --continuous" : "") + perturbed_text(options.perturbed) + " --out ";
 }
 
 std::string rollout_rows_text(const ExportRollouts& command, const WorkbenchState& state, const std::string& project) {
@@ -88,6 +96,7 @@ std::string paper_text(const PlotSettings& settings) {
   std::string text;
   if (!settings.preset.empty()) text += " --preset " + settings.preset;
   if (settings.dpi) text += fmt::format(" --dpi {:g}", *settings.dpi);
+  if (settings.transparent) text += " --transparent";
   return text;
 }
 
@@ -99,6 +108,10 @@ std::string plot_text(const ExportPlot& command, const WorkbenchState& state, co
   if (second) models += fmt::format(" {}", state.learning.second.value);
   const std::string out = paper_text(settings) + " --out " + shell_word(command.path.string());
   if (curve) return fmt::format("trocar model curve {} {}{}", project, models, out);
+  if (settings.kind == PlotKind::kReport) {
+    return fmt::format("trocar rollout report {} {} --starts {}{}", project, models, shell_word(state.rollouts.starts),
+                       out);
+  }
   std::string text = fmt::format("trocar rollout plot {} {}", project, models);
   if (settings.kind != PlotKind::kMap) text += " --starts " + shell_word(state.rollouts.starts);
   text += fmt::format(" --kind {}", workbench::to_string(settings.kind));
@@ -127,6 +140,7 @@ std::string field_text(const ExportField& command, const std::string& project) {
   }
   if (!command.look.preset.empty()) look += " --preset " + command.look.preset;
   if (command.look.dpi) look += fmt::format(" --dpi {:g}", *command.look.dpi);
+  if (command.look.transparent) look += " --transparent";
   // A file of numbers holds them all without being told so.
   const std::string which = command.slice.empty() && !workbench::is_drawn(command.path) ? "" : " " + what;
   std::string of = fmt::format(" --layer {}", learning::to_string(command.layer));
@@ -234,6 +248,7 @@ std::string view_text(const workbench::FieldSettings& field, const WorkbenchStat
   if (!slices) text += " --no-slices";
   if (field.slabs != std::array{1, 1, 1}) {
     text += fmt::format(" --slab {},{},{}", field.slabs[0], field.slabs[1], field.slabs[2]);
+    if (field.through != learning::Through::kLargest) text += fmt::format(" --through {}", to_string(field.through));
   }
   if (field.voxels) text += fmt::format(" --voxels {:.6g}", field.voxel_threshold);
   if (field.iso_surface) text += fmt::format(" --iso {:.6g}", field.iso_level);

@@ -46,6 +46,7 @@ Result<figure::CurveFigure> figure_of(const PlotArguments& arguments, const demo
   made.end_s = arguments.to_s >= 0.0 ? arguments.to_s : shown.end_s;
   made.width_px = arguments.print.width;
   TROCAR_ASSIGN_OR_RETURN(made.print, print_of(arguments.print));
+  if (arguments.print.transparent) made.ground = figure::kNoPaper;
   if (!(made.begin_s < made.end_s)) {
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("from {:.3f} to {:.3f} s there is nothing to plot", made.begin_s, made.end_s));

@@ -122,10 +122,13 @@ void bind_field(CLI::App& verb, FieldArguments& arguments, CLI::Option* model) {
   verb.add_option("--limits", arguments.limits, "Values at which the colours end (else the field's)")
       ->expected(2)
       ->needs(model);
-  verb.add_option("--slab", arguments.slabs,
-                  "Cells that slices are thick, one number or X,Y,Z: the largest value is shown (else 1)")
+  verb.add_option("--slab", arguments.slabs, "Cells that slices are thick, one number or X,Y,Z (else 1)")
       ->delimiter(',')
       ->check(CLI::Range(1, 1000))
+      ->needs(model);
+  verb.add_option("--through", arguments.through, "What thick slices show: the largest value, or the mean")
+      ->check(CLI::IsMember({"largest", "mean"}))
+      ->capture_default_str()
       ->needs(model);
   verb.add_option("--opacity", arguments.opacity, "Of the field, 0.05 to 1")
       ->check(CLI::Range(0.05, 1.0))
@@ -169,6 +172,7 @@ Result<workbench::FieldSettings> settings_from(const FieldArguments& arguments, 
   if (arguments.slabs.size() == 2 || arguments.slabs.size() > 3) {
     return fail(ErrorCode::kInvalidArgument, "--slab takes one number, or three: X,Y,Z");
   }
+  TROCAR_ASSIGN_OR_RETURN(settings.through, learning::through_from(arguments.through));
   settings.voxels = arguments.voxels.has_value();
   settings.voxel_threshold = arguments.voxels.value_or(settings.voxel_threshold);
   settings.iso_surface = arguments.iso.has_value();

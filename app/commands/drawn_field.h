@@ -27,6 +27,7 @@ struct FieldArguments {
   std::vector<std::string> slices;
   std::vector<double> limits;
   std::vector<int> slabs;
+  std::string through = "largest";
   float opacity = 0.8F;
 };
 

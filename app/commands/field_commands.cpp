@@ -27,6 +27,7 @@ struct ExportArguments {
   std::vector<double> limits;
   int width = 1000;
   std::string preset;
+  bool transparent = false;
   double dpi = 0.0;
   std::string out;
   std::vector<const CLI::Option*> of_pictures;  ///< What says how a picture looks, and numbers cannot heed.
@@ -58,6 +59,7 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
                       "The colours as seen by full, protan, deutan, tritan or grey vision")
           ->capture_default_str(),
       verb.add_option("--preset", arguments.preset, kPresetHelp),
+      verb.add_flag("--transparent", arguments.transparent, kTransparentHelp),
       verb.add_option("--dpi", arguments.dpi, kDpiHelp)->check(CLI::Range(kLeastDpi, kMostDpi))};
   CLI::Option* width = verb.add_option("--width", arguments.width, "Width of the picture in pixels")
                            ->check(CLI::Range(100, 8192))
@@ -117,6 +119,7 @@ Result<workbench::FieldExport> request_of(const ExportArguments& arguments) {
   TROCAR_ASSIGN_OR_RETURN(request.look.vision, plot::colour_vision_from(arguments.vision));
   request.look.width_px = arguments.width;
   request.look.preset = arguments.preset;
+  request.look.transparent = arguments.transparent;
   if (arguments.dpi > 0.0) request.look.dpi = arguments.dpi;
   return request;
 }

@@ -37,6 +37,7 @@ Result<Answer> run_curve(const CurveArguments& arguments, Console& console) {
   request.settings.width_px = arguments.print.width;
   request.settings.preset = arguments.print.preset;
   request.settings.dpi = arguments.print.said_dpi();
+  request.settings.transparent = arguments.print.transparent;
   request.path = out;
   TROCAR_ASSIGN_OR_RETURN(const workbench::PlotReport report, workbench::export_plot(request, console.progress()));
   Answer answer;

@@ -16,6 +16,7 @@ void bind_print(CLI::App& verb, PrintArguments& arguments, const std::string& fi
       ->capture_default_str();
   verb.add_option("--preset", arguments.preset, kPresetHelp)->excludes("--width");
   verb.add_option("--dpi", arguments.dpi, kDpiHelp)->check(CLI::Range(kLeastDpi, kMostDpi));
+  verb.add_flag("--transparent", arguments.transparent, kTransparentHelp);
   verb.add_option("--out", arguments.out, files)->required();
 }
 

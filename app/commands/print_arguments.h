@@ -18,6 +18,8 @@ constexpr const char* kDpiHelp =
 constexpr double kLeastDpi = 72.0;
 constexpr double kMostDpi = 2400.0;
 
+constexpr const char* kTransparentHelp = "Without the white ground, to be laid over another";
+
 /// Errors: kInvalidArgument for a resolution (other than 0: none) of what is no picture.
 Status check_dpi(double dpi, const std::filesystem::path& out);
 
@@ -26,6 +28,7 @@ struct PrintArguments {
   int width = 1000;
   std::string preset;
   double dpi = 0.0;  ///< 0: not said.
+  bool transparent = false;
   std::string out;
 
   /// What a picture says of itself, if that was asked for.

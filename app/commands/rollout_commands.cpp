@@ -9,7 +9,7 @@
 #include "engine/core/file.h"
 #include "engine/exchange/rollout_file.h"
 #include "engine/learning/rollout.h"
-#include "engine/learning/rollout_table.h"
+#include "engine/learning/rollout_spread.h"
 #include "engine/learning/start_file.h"
 #include "engine/learning/start_set.h"
 #include "engine/statistics/proportion.h"
@@ -95,18 +95,18 @@ std::string arrivals_text(const std::vector<int>& arrivals, std::size_t starts) 
 }
 
 /// By when the starts have arrived, and where the worst deviations lie, by end; millimetres.
-void tell_spread(const learning::Model& model, const std::vector<std::uint8_t>& policy, const learning::Basin& basin,
-                 const std::vector<spatial::CellIndex>& starts, Answer& answer) {
+Status tell_spread(const learning::Model& model, const std::vector<std::uint8_t>& policy, const learning::Basin& basin,
+                   const std::vector<spatial::CellIndex>& starts, Progress& progress, Answer& answer) {
   const std::vector<int> arrivals = learning::arrivals_by_step(basin, starts);
   answer.json["arrivals_by_step"] = arrivals;
   answer.text += arrivals_text(arrivals, starts.size());
-  std::vector<learning::Rollout> rollouts;
-  rollouts.reserve(starts.size());
-  for (const spatial::CellIndex start : starts) rollouts.push_back(learning::rollout(model, policy, start));
+  TROCAR_ASSIGN_OR_RETURN(const learning::RolloutSpread all,
+                          learning::spread_from(model, policy, starts, {}, progress));
+  answer.json["followed"] = all.followed;
   answer.json["worst_deviation_mm"] = Json::object();
   for (int i = 0; i <= static_cast<int>(learning::RolloutEnd::kOutsideSafeSet); ++i) {
     const auto end = static_cast<learning::RolloutEnd>(i);
-    const learning::Spread spread = learning::worst_deviations_m(rollouts, end);
+    const learning::Spread& spread = all.of(learning::RolloutMeasure::kMaxDeviation, end).spread;
     if (spread.count == 0) continue;
     answer.json["worst_deviation_mm"][std::string(learning::to_string(end))] = {
         {"count", spread.count},         {"least", 1e3 * spread.least}, {"low", 1e3 * spread.low},
@@ -116,6 +116,7 @@ void tell_spread(const learning::Model& model, const std::vector<std::uint8_t>& 
                     learning::to_string(end), 1e3 * spread.least, 1e3 * spread.most, 1e3 * spread.median,
                     1e3 * spread.low, 1e3 * spread.high);
   }
+  return {};
 }
 
 /// What erring at random does, for people and programs.
@@ -164,7 +165,7 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
         exchange::write_rollout_rows(csv, workbench::about_rollouts(*entry, starts_of(arguments)), arguments.out));
   }
   if (!arguments.band.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(const std::string csv, workbench::band_rows(model, starts));
+    TROCAR_ASSIGN_OR_RETURN(const std::string csv, workbench::band_rows(model, starts, console.progress()));
     TROCAR_RETURN_IF_ERROR(write_file(arguments.band, csv));
   }
 
@@ -183,7 +184,9 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
     answer.json["around"].push_back(std::move(row));
     if (arguments.starts.empty()) answer.text += fmt::format("\n  within ±{}: {}", k, line_of(near, entry->segment));
   }
-  if (arguments.spread) tell_spread(model, policy, basin, starts, answer);
+  if (arguments.spread) {
+    TROCAR_RETURN_IF_ERROR(tell_spread(model, policy, basin, starts, console.progress(), answer));
+  }
   if (erring) tell_erring(workbench::monte_carlo_view(entry, arguments.starts, *erring), answer);
   return answer;
 }
@@ -200,6 +203,20 @@ void bind_compare(CLI::App& verb, CompareArguments& arguments) {
   verb.add_option("MODEL_A", arguments.model_a, "Id or name")->required();
   verb.add_option("MODEL_B", arguments.model_b, "Id or name")->required();
   verb.add_option("--starts", arguments.starts, "As for `rollout run`; around A's start")->capture_default_str();
+}
+
+/// How the starts end with both: every pair of ends that there is.
+void tell_ends(const learning::OutcomeTable& ends, Answer& answer) {
+  answer.json["ends"] = Json::array();
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t j = 0; j < ends.size(); ++j) {
+      if (ends[i][j] == 0) continue;
+      const std::string_view of_a = learning::to_string(static_cast<learning::RolloutEnd>(i));
+      const std::string_view of_b = learning::to_string(static_cast<learning::RolloutEnd>(j));
+      answer.json["ends"].push_back({{"a", of_a}, {"b", of_b}, {"starts", ends[i][j]}});
+      answer.text += fmt::format("\n  A {}, B {}: {}", of_a, of_b, ends[i][j]);
+    }
+  }
 }
 
 Result<Answer> run_compare(const CompareArguments& arguments, Console& console) {
@@ -231,6 +248,7 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
       fmt::format("only A arrives {}, only B {}, ties {}, McNemar p {}", paired.wins_a, paired.wins_b, paired.ties,
                   paired.mcnemar_p < 0.001 ? std::string("< 0.001") : fmt::format("= {:.3g}", paired.mcnemar_p));
   answer.text = fmt::format("A {}, B {}: {}", a->name, b->name, answer.summary);
+  tell_ends(learning::outcome_table(basin_a, basin_b, starts), answer);
   return answer;
 }
 
@@ -247,6 +265,7 @@ void add_rollout_commands(CLI::App& root, Action& chosen) {
                              run_compare);
   add_rollout_look_commands(noun, chosen);
   add_rollout_plot_command(noun, chosen);
+  add_rollout_report_command(noun, chosen);
   add_rollout_physics_command(noun, chosen);
 }
 

@@ -14,6 +14,7 @@ namespace trocar::app {
 void add_rollout_look_commands(CLI::App& noun, Action& chosen);  ///< why, diverge
 void add_rollout_physics_command(CLI::App& noun, Action& chosen);
 void add_rollout_plot_command(CLI::App& noun, Action& chosen);
+void add_rollout_report_command(CLI::App& noun, Action& chosen);
 
 /// What rows of rollouts are written as.
 inline const std::initializer_list<std::string_view> kRowEndings{".csv", ".json", ".h5", ".hdf5"};

@@ -21,6 +21,8 @@ struct PhysicsArguments {
   std::string starts = "around:1";
   std::string out;
   bool resume = false;
+  double delay_ms = 0.0;
+  double noise_mm = 0.0;
   trial::PhysicsOptions options;
 };
 
@@ -33,7 +35,15 @@ void bind_physics(CLI::App& verb, PhysicsArguments& arguments) {
       ->required();
   verb.add_flag("--resume", arguments.resume, "Go on from what F.csv holds; no other file");
   verb.add_flag("--continuous", arguments.options.continuous, "Start anywhere in the cell, not in its middle");
-  add_seed(verb, arguments.options.seed, "Seed of the blocks' yaw, and of the place in the cell");
+  add_seed(verb, arguments.options.seed, "Seed of the blocks' yaw, of the place in the cell and of what is perturbed");
+  trial::Perturbation& perturbed = arguments.options.perturbed;
+  verb.add_option("--epsilon", perturbed.epsilon, "This share of the actions is drawn evenly from those allowed, 0 … 1")
+      ->check(CLI::Range(0.0, 1.0));
+  verb.add_option("--delay-ms", arguments.delay_ms, "The policy is asked for where the tool was so long ago")
+      ->check(CLI::Range(0.0, 5000.0));
+  verb.add_option("--noise-mm", arguments.noise_mm,
+                  "Standard deviation, on each axis, of where the tool is taken to be")
+      ->check(CLI::Range(0.0, 50.0));
   verb.add_option("--time-limit", arguments.options.time_limit_s, "Seconds of simulated time for each")
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
@@ -63,6 +73,8 @@ Result<Answer> run_physics_command(const PhysicsArguments& typed, Console& conso
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   arguments.options = workbench::physics_options_of(*file.project(), *entry, arguments.options);
+  arguments.options.perturbed.delay_s = 1e-3 * arguments.delay_ms;
+  arguments.options.perturbed.noise_m = 1e-3 * arguments.noise_mm;
   const learning::Model& model = *entry->model;
   TROCAR_ASSIGN_OR_RETURN(const std::vector<spatial::CellIndex> starts, learning::read_starts(arguments.starts, model));
   warn_if_stale(*file.project(), *entry, console);

@@ -71,7 +71,7 @@ void bind_rollout_plot(CLI::App& verb, RolloutPlotArguments& arguments) {
      {PlotKind::kMultiples});
   of(verb.add_option("--slice", arguments.slice, "Of the map: x=I, y=J or z=K (else all along z)"), {PlotKind::kMap});
   bind_print(verb, arguments.print,
-             "F.png, F.svg or F.pdf; arrivals and band also F.csv, a map every file of `field export`");
+             "F.png, F.svg or F.pdf; arrivals, band and boxes also F.csv, a map every file of `field export`");
 }
 
 /// Errors: kInvalidArgument for an option that would be ignored.
@@ -104,6 +104,7 @@ Result<workbench::PlotSettings> plot_settings_of(const RolloutPlotArguments& arg
   settings.width_px = arguments.print.width;
   settings.preset = arguments.print.preset;
   settings.dpi = arguments.print.said_dpi();
+  settings.transparent = arguments.print.transparent;
   return settings;
 }
 
@@ -121,6 +122,7 @@ Result<Answer> run_rollout_plot(const RolloutPlotArguments& arguments, Console& 
   for (const std::string& name : arguments.models) {
     TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), name));
     warn_if_stale(*file.project(), *entry, console);
+    if (!request.models.empty()) warn_if_unlike(*request.models.front(), *entry, console);
     request.models.push_back(entry);
     answer.json["models"].push_back(entry->id.value);
     names += (names.empty() ? "" : ", ") + entry->name;
@@ -136,6 +138,7 @@ Result<Answer> run_rollout_plot(const RolloutPlotArguments& arguments, Console& 
   answer.json["size_bytes"] = std::filesystem::file_size(out, ignored);
   answer.summary = fmt::format("{} of {}", workbench::to_string(request.settings.kind), names);
   if (report.starts > 0) answer.summary += fmt::format(" from {} starts", report.starts);
+  if (report.listed < report.starts) answer.summary += fmt::format(", {} of them, evenly", report.listed);
   answer.text = fmt::format("Wrote {}: {}", out, answer.summary);
   return answer;
 }

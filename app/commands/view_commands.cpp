@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/commands/drawn_field.h"
+#include "app/commands/print_arguments.h"
 #include "app/lookup.h"
 #include "app/options.h"
 #include "engine/figure/field_figure.h"
@@ -31,6 +33,8 @@ struct ViewArguments {
   FieldArguments field;
   bool path = false;
   int samples = 4;
+  std::string preset;
+  double dpi = 0.0;  ///< 0: not said.
   std::string out;
 };
 
@@ -42,6 +46,9 @@ void bind_view(CLI::App& verb, ViewArguments& arguments) {
       ->check(CLI::IsMember({"paper", "top", "side", "front"}))
       ->capture_default_str();
   verb.add_option("--size", arguments.size, "Width and height in pixels")->capture_default_str();
+  verb.add_option("--preset", arguments.preset,
+                  "For print: column (88 mm wide) or page (180 mm), as high as --size says, with letters of 8 pt");
+  verb.add_option("--dpi", arguments.dpi, kDpiHelp)->check(CLI::Range(kLeastDpi, kMostDpi));
   verb.add_option("--samples", arguments.samples, "Samples for each pixel")
       ->check(CLI::IsMember({1, 2, 4}))
       ->capture_default_str();
@@ -81,9 +88,30 @@ Status add_beside(const workbench::ModelEntry& first, const workbench::ModelEntr
   return {};
 }
 
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+  std::optional<double> letters_px;  ///< Of print.
+  std::optional<double> dpi;         ///< What the picture says of itself.
+};
+
+/// Errors: kInvalidArgument for a size or a preset that is none, or more pixels than can be drawn.
+Result<PictureSize> picture_size_of(const ViewArguments& arguments) {
+  TROCAR_ASSIGN_OR_RETURN(const auto said, size_from(arguments.size));
+  PictureSize size{said.first, said.second, {}, {}};
+  if (arguments.dpi > 0.0) size.dpi = arguments.dpi;
+  if (arguments.preset.empty()) return size;
+  TROCAR_ASSIGN_OR_RETURN(figure::Print print, figure::print_from(arguments.preset));
+  print.dpi = size.dpi.value_or(print.dpi);
+  const double width = std::round(print.width_mm * figure::px_per_mm(print.dpi));
+  const double height = std::round(width * said.second / said.first);
+  TROCAR_ASSIGN_OR_RETURN(const auto drawn, size_from(fmt::format("{:.0f}x{:.0f}", width, height)));
+  return PictureSize{drawn.first, drawn.second, print.text_pt / figure::pt_per_px(print.dpi), print.dpi};
+}
+
 Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".png"}));
-  TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(arguments.size));
+  TROCAR_ASSIGN_OR_RETURN(const PictureSize size, picture_size_of(arguments));
   TROCAR_ASSIGN_OR_RETURN(
       const workbench::ProjectFile file,
       open_to_read(arguments.project, console, arguments.model.empty() ? Models::kDescribed : Models::kWhole));
@@ -98,7 +126,7 @@ Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
   request.pose = stage::pose_of(demonstration->sample_at(at_s));
   request.camera = scene::camera(preset_from(arguments.camera));
   request.options.highlighted_block = demonstration->recording->provenance.block;
-  request.render = {.width = size.first, .height = size.second, .samples = arguments.samples};
+  request.render = {.width = size.width, .height = size.height, .samples = arguments.samples};
   if (arguments.path) {
     request.paths = std::make_shared<const std::vector<stage::PathLayer>>(
         std::vector{stage::path_of(*demonstration, kinematics::ArmSide::kLeft),
@@ -134,18 +162,18 @@ Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
   double below_px = 0.0;
   for (auto layer = request.fields.rbegin(); layer != request.fields.rend(); ++layer) {
     picture = figure::with_legend(picture, *layer->field, layer->colouring,
-                                  layer == request.fields.rbegin() ? owner : std::string(), below_px);
+                                  layer == request.fields.rbegin() ? owner : std::string(), below_px, size.letters_px);
   }
   TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
-  TROCAR_RETURN_IF_ERROR(media::write_png(arguments.out, picture));
+  TROCAR_RETURN_IF_ERROR(media::write_png(arguments.out, picture, size.dpi));
 
   Answer answer;
   answer.json = {{"out", arguments.out},
-                 {"width", size.first},
-                 {"height", size.second},
+                 {"width", size.width},
+                 {"height", size.height},
                  {"camera", arguments.camera},
                  {"at_s", at_s}};
-  answer.summary = fmt::format("{}×{} at {:.2f} s, camera {}", size.first, size.second, at_s, arguments.camera);
+  answer.summary = fmt::format("{}×{} at {:.2f} s, camera {}", size.width, size.height, at_s, arguments.camera);
   answer.text = fmt::format("Wrote {}: {}", arguments.out, answer.summary);
   return answer;
 }

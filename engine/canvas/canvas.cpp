@@ -163,6 +163,7 @@ Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
 void Canvas::rectangle(double x, double y, double w, double h, Rgba fill, double radius) {
+  if (fill.a == 0) return;
   trace_rectangle(impl_->context.get(), x, y, w, h, radius);
   set_colour(impl_->context.get(), fill);
   cairo_fill(impl_->context.get());

@@ -61,7 +61,7 @@ struct Sizes {
   double left = kLeft;
   double line = 1.8;  ///< Widths of the curves, and of all else.
   double thin = 1.0;
-  std::size_t name_rows = 0;  ///< Above the only plot, where its lines' names have no room beside its heading.
+  std::size_t name_rows = 0;  ///< Above the first plot, where its lines' names have no room beside its heading.
   double finest_px = 1.0;     ///< Below which curves need no detail.
 };
 
@@ -121,8 +121,9 @@ Place place_of(const CurveFigure& figure, std::size_t index, const Sizes& sizes)
   place.h = kPlotHeight * place.unit;
   std::optional<plot::Extent> all;
   for (const FigureLine& line : shown.lines) {
-    for (const plot::Curve* curve : {line.curve.get(), line.low.get(), line.high.get()}) {
-      if (curve == nullptr) continue;
+    std::vector<const plot::Curve*> curves{line.curve.get()};
+    for (const BandAround& band : line.bands) curves.insert(curves.end(), {band.low.get(), band.high.get()});
+    for (const plot::Curve* curve : curves) {
       const std::optional<plot::Extent> one = curve->extent(figure.begin_s, figure.end_s);
       if (one) all = all ? plot::Extent{std::min(all->low, one->low), std::max(all->high, one->high)} : *one;
     }
@@ -221,15 +222,14 @@ void draw_dashed(Canvas& canvas, const std::vector<Point>& points, Rgba colour, 
 }
 
 /// Up along the upper edge and back along the lower one. A band has no gaps.
-void draw_band(Canvas& canvas, const FigureLine& line, Rgba colour, const Place& place) {
-  if (line.low == nullptr || line.high == nullptr) return;
+void draw_band(Canvas& canvas, const BandAround& band, Rgba colour, const Place& place) {
   const auto columns = static_cast<int>(place.w / place.sizes.finest_px);
   const auto edge = [&](const plot::Curve& curve) {
     const auto lines = curve.lines(place.time.low, place.time.high, columns);
     return lines.empty() ? std::vector<Point>() : cut(lines.front(), place);
   };
-  std::vector<Point> around = edge(*line.high);
-  const std::vector<Point> below = edge(*line.low);
+  std::vector<Point> around = edge(*band.high);
+  const std::vector<Point> below = edge(*band.low);
   around.insert(around.end(), below.rbegin(), below.rend());
   colour.a = kBandAlpha;
   if (around.size() > 2) canvas.polygon(around, colour);
@@ -238,7 +238,7 @@ void draw_band(Canvas& canvas, const FigureLine& line, Rgba colour, const Place&
 void draw_lines(Canvas& canvas, const CurvePlot& shown, const Place& place) {
   const double width = place.sizes.line;
   for (std::size_t i = 0; i < shown.lines.size(); ++i) {
-    draw_band(canvas, shown.lines[i], kLines[i % kLines.size()], place);
+    for (const BandAround& band : shown.lines[i].bands) draw_band(canvas, band, kLines[i % kLines.size()], place);
   }
   for (std::size_t i = 0; i < shown.lines.size(); ++i) {
     const Rgba colour = kLines[i % kLines.size()];
@@ -283,7 +283,7 @@ double names_width(const Canvas& canvas, const CurvePlot& shown, const Sizes& si
 }
 
 /// Above the plot: title and unit on the left, the lines' names on the right, or above where there is no room.
-void draw_heading(Canvas& canvas, const CurvePlot& shown, const Place& place) {
+void draw_heading(Canvas& canvas, const CurvePlot& shown, const Place& place, bool first) {
   const double unit = place.unit;
   const double y = place.y - 8.0 * unit;
   canvas.text({place.x, y}, heading_of(shown), {place.sizes.heading, Weight::kSemiBold, kInk, Align::kLeft});
@@ -291,6 +291,7 @@ void draw_heading(Canvas& canvas, const CurvePlot& shown, const Place& place) {
   double x = place.x + place.w - names_width(canvas, shown, place.sizes) + kNameGap * unit;
   for (std::size_t i = 0; i < shown.lines.size(); ++i) {
     if (place.sizes.name_rows > 0) {
+      if (!first) continue;
       const double above = static_cast<double>(place.sizes.name_rows) - static_cast<double>(i);
       const double room = place.w - kNameAfter * unit;
       draw_name(canvas, i, {place.x, y - above * kNameRow * unit}, fitted(canvas, shown.lines[i].name, style, room),
@@ -305,7 +306,7 @@ void draw_heading(Canvas& canvas, const CurvePlot& shown, const Place& place) {
 void draw(Canvas& canvas, const CurveFigure& figure, const Sizes& sizes) {
   TROCAR_CHECK(figure.begin_s < figure.end_s);
   const double unit = sizes.unit;
-  canvas.rectangle(0.0, 0.0, sizes.width, height_of(figure, sizes), {255, 255, 255, 255});
+  canvas.rectangle(0.0, 0.0, sizes.width, height_of(figure, sizes), figure.ground);
   const double right = sizes.width - kRight * unit;
   const TextStyle title{sizes.title, Weight::kSemiBold, kInk, Align::kCentre};
   canvas.text({0.5 * (sizes.left + right), 19.0 * unit}, fitted(canvas, figure.title, title, right - sizes.left),
@@ -319,7 +320,7 @@ void draw(Canvas& canvas, const CurveFigure& figure, const Sizes& sizes) {
     }
     draw_lines(canvas, figure.plots[i], place);
     canvas.outline(place.x, place.y, place.w, place.h, kQuiet, place.sizes.thin);
-    draw_heading(canvas, figure.plots[i], place);
+    draw_heading(canvas, figure.plots[i], place, i == 0);
   }
 }
 
@@ -331,16 +332,24 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
+bool names_alike(const CurvePlot& a, const CurvePlot& b) {
+  return std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
+                    [](const FigureLine& one, const FigureLine& other) { return one.name == other.name; });
+}
+
 Sizes laid_out(const CurveFigure& figure, double dpi) {
   Sizes sizes = sizes_of(figure, dpi);
   const Canvas canvas(Image(1, 1));
   if (figure.print) sizes.left = left_of(canvas, figure, sizes);
-  if (figure.plots.size() != 1) return sizes;
-  const CurvePlot& only = figure.plots.front();
+  const CurvePlot& first = figure.plots.front();
   const TextStyle bold{sizes.heading, Weight::kSemiBold, kInk, Align::kLeft};
   const double room = sizes.width - sizes.left - kRight * sizes.unit;
-  const double needed = canvas.text_width(heading_of(only), bold) + names_width(canvas, only, sizes);
-  if (needed > room) sizes.name_rows = only.lines.size();
+  bool short_of_room = false;
+  for (const CurvePlot& each : figure.plots) {
+    if (!names_alike(each, first)) return sizes;
+    short_of_room |= canvas.text_width(heading_of(each), bold) + names_width(canvas, each, sizes) > room;
+  }
+  if (short_of_room) sizes.name_rows = first.lines.size();
   return sizes;
 }
 
@@ -348,7 +357,7 @@ Sizes laid_out(const CurveFigure& figure, double dpi) {
 
 Image draw_curves(const CurveFigure& figure) {
   const Sizes sizes = laid_out(figure, figure.print ? figure.print->dpi : kScreenDpi);
-  Canvas canvas(Image(static_cast<int>(sizes.width), static_cast<int>(height_of(figure, sizes)), {255, 255, 255, 255}));
+  Canvas canvas(Image(static_cast<int>(sizes.width), static_cast<int>(height_of(figure, sizes)), figure.ground));
   draw(canvas, figure, sizes);
   return canvas.picture();
 }
@@ -381,8 +390,10 @@ Status save_curves_csv(const CurveFigure& figure, const std::filesystem::path& p
   for (const CurvePlot& shown : figure.plots) {
     for (const FigureLine& line : shown.lines) {
       add(shown, line.name, line.curve.get());
-      add(shown, line.name + " low", line.low.get());
-      add(shown, line.name + " high", line.high.get());
+      for (const BandAround& band : line.bands) {
+        add(shown, line.name + " " + band.low_name, band.low.get());
+        add(shown, line.name + " " + band.high_name, band.high.get());
+      }
     }
   }
   return write_file(path, text);

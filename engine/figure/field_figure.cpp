@@ -22,7 +22,7 @@ canvas::Canvas page(const std::string& extension, const FieldFigureOptions& opti
 Image draw_field(const learning::Field& field, const FieldFigureOptions& options) {
   const plot::Colouring colouring = colouring_of(field, options);
   const Layout layout = layout_of(field, options, colouring);
-  canvas::Canvas canvas(Image(layout.width, layout.height, {255, 255, 255, 255}));
+  canvas::Canvas canvas(Image(layout.width, layout.height, options.ground));
   draw_figure(canvas, field, options, colouring, layout);
   return canvas.picture();
 }

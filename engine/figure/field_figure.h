@@ -34,6 +34,7 @@ struct FieldFigureOptions {
   plot::ColourVision vision = plot::ColourVision::kFull;  ///< The colours as this reader sees them.
   int width_px = 1000;          ///< At least 320; the figure grows where letters or cells would be too small to see.
   std::optional<Print> print;   ///< For paper: in place of `width_px`; grows only where a cell has less than a pixel.
+  Rgba ground = kPaper;         ///< Of drawings, too.
   std::string subtitle;         ///< Whose field it is, below the title. Empty: none.
   learning::CellSequence path;  ///< Cells with a dot: the expert's. Empty: none.
   spatial::CellSet safe;        ///< Outlined. Empty: none.

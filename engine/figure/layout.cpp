@@ -304,7 +304,7 @@ Layout layout_of(const learning::Field& field, const FieldFigureOptions& options
 
 void draw_figure(Canvas& canvas, const learning::Field& field, const FieldFigureOptions& options,
                  const plot::Colouring& colouring, const Layout& layout) {
-  canvas.rectangle(0, 0, layout.width, layout.height, kPaper);
+  canvas.rectangle(0, 0, layout.width, layout.height, options.ground);
   draw_head(canvas, field, layout);
   if (options.slice) {
     const PanelPlace place = place_of(layout, 0);

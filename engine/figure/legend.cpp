@@ -17,6 +17,7 @@ constexpr double kPad = 14.0;
 constexpr double kBar = 200.0;
 constexpr double kClass = 24.0;
 constexpr double kTitleLine = 22.0;
+constexpr double kSmall = 13.0;
 
 double unit_of(const Image& picture) {
   return std::clamp(std::min(picture.height / 720.0, picture.width / 1000.0), 0.6, 4.0);
@@ -31,13 +32,13 @@ Image with_legend(const Image& picture, const learning::Field& field, const plot
 }
 
 Image with_legend(const Image& picture, const learning::Field& field, const plot::Colouring& colouring,
-                  const std::string& owner, double& below_px) {
+                  const std::string& owner, double& below_px, std::optional<double> letters_px) {
   using canvas::TextStyle;
-  const double unit = unit_of(picture);
+  const double unit = letters_px ? *letters_px / kSmall : unit_of(picture);
   canvas::Canvas canvas(picture);
   const KeyLook look{unit, 14.0 * unit, 1.0, kBright};
   const TextStyle title{16.0 * unit, canvas::Weight::kSemiBold, kBright, canvas::Align::kLeft};
-  const TextStyle small{13.0 * unit, canvas::Weight::kRegular, kSoft, canvas::Align::kLeft};
+  const TextStyle small{kSmall * unit, canvas::Weight::kRegular, kSoft, canvas::Align::kLeft};
   const double head = (kTitleLine + (owner.empty() ? 0.0 : kTitleLine)) * unit;
   // Cells that are not known are not drawn in the scene; a key without marks has no word for them.
   learning::Field known = field;

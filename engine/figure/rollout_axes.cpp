@@ -25,6 +25,11 @@ constexpr std::size_t kMostLines = 300;
 /// What an axis needs for the words at its ends.
 constexpr double kApart_em = 4.3;
 constexpr double kHeight_em = 13.0;
+/// Less where many rows have to share a sheet of paper, whose height this is without head and foot.
+constexpr double kLeastHeight_em = 5.0;
+constexpr double kSheet_em = 90.0;
+constexpr double kAboveAxis_em = 4.2;
+constexpr double kBelowAxis_em = 1.6;
 constexpr Rgba kLeftOut{200, 203, 209, 255};
 
 struct DrawnAxis {
@@ -125,6 +130,8 @@ double draw_axes(Canvas& canvas, const RolloutFigure& figure, const Sheet& sheet
   const int in_bank = (kAxes + banks - 1) / banks;
   const double apart = room / in_bank;
   const std::vector<DrawnAxis> axes = axes_of(figure);
+  const double rows = static_cast<double>(banks) * static_cast<double>(figure.models.size());
+  const double height_em = std::clamp(kSheet_em / rows - kAboveAxis_em - kBelowAxis_em, kLeastHeight_em, kHeight_em);
   double y = top;
   for (std::size_t m = 0; m < figure.models.size(); ++m) {
     if (const std::string letter = letter_of(figure, m); !letter.empty()) {
@@ -136,12 +143,12 @@ double draw_axes(Canvas& canvas, const RolloutFigure& figure, const Sheet& sheet
       std::vector<DrawnAxis> bank(axes.begin() + first, axes.begin() + std::min(first + in_bank, kAxes));
       for (std::size_t i = 0; i < bank.size(); ++i) {
         bank[i].x = margin_of(sheet) + (static_cast<double>(i) + 0.5) * apart;
-        bank[i].top = y + 4.2 * em;
-        bank[i].bottom = bank[i].top + kHeight_em * em;
+        bank[i].top = y + kAboveAxis_em * em;
+        bank[i].bottom = bank[i].top + height_em * em;
       }
       draw_rollout_lines(canvas, figure, figure.models[m], bank, sheet);
       for (std::size_t i = 0; i < bank.size(); ++i) draw_axis(canvas, figure, bank[i], i % 2 == 0, apart, sheet);
-      y = bank.front().bottom + 1.6 * em;
+      y = bank.front().bottom + kBelowAxis_em * em;
     }
   }
   std::size_t all = 0;

@@ -18,7 +18,6 @@ using canvas::Weight;
 using learning::RolloutEnd;
 using learning::RolloutMeasure;
 
-constexpr std::size_t kMostDots = 120;
 constexpr Rgba kGround{244, 245, 247, 255};
 constexpr Rgba kGridLine{218, 221, 226, 255};
 constexpr double kRow_em = 1.5;
@@ -32,36 +31,15 @@ struct BoxRow {
   RolloutEnd end = RolloutEnd::kArrives;
 };
 
-struct BoxValues {
-  std::vector<double> all;  ///< In the unit of the measure; those that are known.
-  learning::Spread spread;
-};
-
 std::vector<BoxRow> rows_of(const RolloutFigure& figure) {
   std::vector<BoxRow> rows;
   for (std::size_t m = 0; m < figure.models.size(); ++m) {
-    for (int e = 0; e <= static_cast<int>(RolloutEnd::kOutsideSafeSet); ++e) {
-      const auto end = static_cast<RolloutEnd>(e);
-      const auto& rollouts = *figure.models[m].rollouts;
-      const bool there = std::any_of(rollouts.begin(), rollouts.end(), [end](const auto& r) { return r.end == end; });
+    for (const RolloutEnd end : ends_of(figure.models[m])) {
       const std::string letter = letter_of(figure, m);
-      if (there) rows.push_back({(letter.empty() ? "" : letter + " ") + std::string(outcome_word(end)), m, end});
+      rows.push_back({(letter.empty() ? "" : letter + " ") + std::string(outcome_word(end)), m, end});
     }
   }
   return rows;
-}
-
-BoxValues values_of(const RolloutFigure& figure, const BoxRow& row, RolloutMeasure measure) {
-  const DrawnRollouts& of = figure.models[row.model];
-  BoxValues values;
-  for (const learning::Rollout& rollout : *of.rollouts) {
-    if (rollout.end != row.end) continue;
-    const double value = value_of(of, rollout, measure);
-    const bool never = measure == RolloutMeasure::kDivergence && value < 0.0;
-    if (std::isfinite(value) && !never) values.all.push_back(value * learning::words_of(measure).scale);
-  }
-  values.spread = learning::spread_of(values.all);
-  return values;
 }
 
 struct BoxArea {
@@ -74,31 +52,32 @@ struct BoxArea {
   double at(double value) const { return x + axis.position(value) * w; }
 };
 
-void draw_box(Canvas& canvas, const BoxValues& values, Rgba colour, const BoxArea& area, const Sheet& sheet) {
+/// `scale` makes the unit of the axis of SI.
+void draw_box(Canvas& canvas, const learning::MeasureSpread& values, double scale, Rgba colour, const BoxArea& area,
+              const Sheet& sheet) {
   const double y = area.y + 0.5 * area.h;
-  const std::size_t dots = std::min(values.all.size(), kMostDots);
   colour.a = 150;
-  for (std::size_t i = 0; i < dots; ++i) {
-    // Evenly through them, and spread over the height by their place, so that equal ones are seen.
-    const double value = values.all[i * values.all.size() / dots];
+  for (std::size_t i = 0; i < values.some.size(); ++i) {
+    // Spread over the height by their place, so that equal ones are seen.
     const double lower = (static_cast<double>(i * 7 % 11) / 10.0 - 0.5) * 0.75 * area.h;
-    canvas.circle({area.at(value), y + lower}, 0.13 * sheet.em, colour);
+    canvas.circle({area.at(scale * values.some[i]), y + lower}, 0.13 * sheet.em, colour);
   }
+  const auto at = [&](double value) { return area.at(scale * value); };
   const learning::Spread& spread = values.spread;
   const double half = 0.3 * area.h;
   const double pen = 1.5 * sheet.pen;
-  canvas.line({area.at(spread.least), y}, {area.at(spread.low), y}, kInk, pen);
-  canvas.line({area.at(spread.high), y}, {area.at(spread.most), y}, kInk, pen);
-  canvas.outline(area.at(spread.low), y - half, std::max(area.at(spread.high) - area.at(spread.low), pen), 2.0 * half,
-                 kInk, pen);
-  canvas.line({area.at(spread.median), y - half}, {area.at(spread.median), y + half}, kInk, 2.0 * pen);
+  canvas.line({at(spread.least), y}, {at(spread.low), y}, kInk, pen);
+  canvas.line({at(spread.high), y}, {at(spread.most), y}, kInk, pen);
+  canvas.outline(at(spread.low), y - half, std::max(at(spread.high) - at(spread.low), pen), 2.0 * half, kInk, pen);
+  canvas.line({at(spread.median), y - half}, {at(spread.median), y + half}, kInk, 2.0 * pen);
 }
 
-plot::Axis axis_of(const std::vector<BoxValues>& rows, double width, const Sheet& sheet) {
+plot::Axis axis_of(const std::vector<const learning::MeasureSpread*>& rows, double scale, double width,
+                   const Sheet& sheet) {
   std::optional<plot::Extent> all;
-  for (const BoxValues& row : rows) {
-    if (row.spread.count == 0) continue;
-    const plot::Extent one{row.spread.least, row.spread.most};
+  for (const learning::MeasureSpread* row : rows) {
+    if (row->spread.count == 0) continue;
+    const plot::Extent one{scale * row->spread.least, scale * row->spread.most};
     all = all ? plot::Extent{std::min(all->low, one.low), std::max(all->high, one.high)} : one;
   }
   const plot::Extent range = plot::value_range(all.value_or(plot::Extent{0.0, 1.0}), true, {});
@@ -112,13 +91,13 @@ void draw_measure(Canvas& canvas, const RolloutFigure& figure, const std::vector
   const double em = sheet.em;
   double names = 0.0;
   for (const BoxRow& row : rows) names = std::max(names, canvas.text_width(row.name, sheet.letters()));
-  std::vector<BoxValues> values;
+  std::vector<const learning::MeasureSpread*> values;
   std::vector<std::string> middles;
   double numbers = 0.0;
   for (const BoxRow& row : rows) {
-    values.push_back(values_of(figure, row, measure));
-    const learning::Spread& spread = values.back().spread;
-    middles.push_back(spread.count == 0 ? "none" : fmt::format("{:.3g}", spread.median));
+    values.push_back(&figure.models[row.model].spread->of(measure, row.end));
+    const learning::Spread& spread = values.back()->spread;
+    middles.push_back(spread.count == 0 ? "none" : fmt::format("{:.3g}", words.scale * spread.median));
     if (middles.back().front() == '-') middles.back().replace(0, 1, "−");
     numbers = std::max(numbers, canvas.text_width(middles.back(), sheet.letters()));
   }
@@ -126,7 +105,7 @@ void draw_measure(Canvas& canvas, const RolloutFigure& figure, const std::vector
   canvas.text({at.x, at.y + em}, words.unit.empty() ? title : fmt::format("{}, {}", title, words.unit),
               sheet.letters(Align::kLeft, Weight::kSemiBold));
   BoxArea area{at.x + names + 0.8 * em, at.y + 1.5 * em, width - names - numbers - 1.6 * em, kRow_em * em, {}};
-  area.axis = axis_of(values, area.w, sheet);
+  area.axis = axis_of(values, words.scale, area.w, sheet);
   const double bottom = area.y + static_cast<double>(rows.size()) * area.h;
   canvas.rectangle(area.x, area.y, area.w, bottom - area.y, kGround);
   double free_from = at.x;  // A label that would touch the one before it is left out.
@@ -144,21 +123,31 @@ void draw_measure(Canvas& canvas, const RolloutFigure& figure, const std::vector
     const double base = area.y + 0.5 * area.h + 0.35 * em;
     canvas.text({at.x + names, base}, rows[i].name, sheet.letters(Align::kRight));
     canvas.text({at.x + width, base}, middles[i], sheet.letters(Align::kRight));
-    if (values[i].spread.count > 0) draw_box(canvas, values[i], outcome_colour(rows[i].end), area, sheet);
+    if (values[i]->spread.count > 0) {
+      draw_box(canvas, *values[i], words.scale, outcome_colour(rows[i].end), area, sheet);
+    }
     area.y += area.h;
   }
 }
 
 }  // namespace
 
+std::vector<RolloutEnd> ends_of(const DrawnRollouts& of) {
+  std::vector<RolloutEnd> ends;
+  for (std::size_t e = 0; e < learning::kRolloutEnds; ++e) {
+    // Every rollout has a number of steps.
+    const auto end = static_cast<RolloutEnd>(e);
+    if (of.spread->of(RolloutMeasure::kSteps, end).spread.count > 0) ends.push_back(end);
+  }
+  return ends;
+}
+
 double draw_boxes(Canvas& canvas, const RolloutFigure& figure, const Sheet& sheet, double top) {
   const double em = sheet.em;
   const double margin = margin_of(sheet);
   std::vector<RolloutMeasure> measures = figure.measures;
   if (figure.measures.empty()) {
-    for (int m = 0; m < learning::kRolloutMeasures; ++m) {
-      if (has_boxes(static_cast<RolloutMeasure>(m))) measures.push_back(static_cast<RolloutMeasure>(m));
-    }
+    measures = learning::spread_measures();
   }
   const std::vector<BoxRow> rows = rows_of(figure);
   const std::size_t columns = sheet.width > kTwo_em * em && measures.size() > 1 ? 2 : 1;

@@ -49,7 +49,12 @@ double draw_head(Canvas& canvas, const RolloutFigure& figure, const Sheet& sheet
 double draw_legend(Canvas& canvas, const RolloutFigure& figure, const Sheet& sheet, double top) {
   std::set<RolloutEnd> ends;
   for (const DrawnRollouts& of : figure.models) {
-    for (const learning::Rollout& rollout : *of.rollouts) ends.insert(rollout.end);
+    if (figure.plot == RolloutPlot::kBoxes) {
+      const auto there = ends_of(of);
+      ends.insert(there.begin(), there.end());
+    } else {
+      for (const learning::Rollout& rollout : *of.rollouts) ends.insert(rollout.end);
+    }
   }
   const canvas::TextStyle letters = sheet.letters();
   double x = margin_of(sheet);
@@ -107,14 +112,9 @@ bool is_kept(const RolloutFigure& figure, const DrawnRollouts& of, const learnin
   });
 }
 
-bool has_boxes(RolloutMeasure measure) {
-  return measure != RolloutMeasure::kStart && measure != RolloutMeasure::kEnd &&
-         measure != RolloutMeasure::kLastMoves && measure != RolloutMeasure::kFromAbove;
-}
-
 Image draw_rollouts(const RolloutFigure& figure) {
   const Sheet sheet = sheet_of(figure.print, figure.width_px, figure.print ? figure.print->dpi : kScreenDpi);
-  Canvas canvas(Image(static_cast<int>(sheet.width), static_cast<int>(sheet_height(figure, sheet)), kPaper));
+  Canvas canvas(Image(static_cast<int>(sheet.width), static_cast<int>(sheet_height(figure, sheet)), figure.ground));
   draw_whole(canvas, figure, sheet);
   return canvas.picture();
 }
@@ -130,7 +130,7 @@ Status save_rollouts(const RolloutFigure& figure, const std::filesystem::path& p
   Canvas canvas = ending == ".pdf" ? Canvas::pdf(sheet.width, height, sheet.pt_per_px)
                   : figure.print   ? Canvas::svg_on_paper(sheet.width, height, sheet.pt_per_px)
                                    : Canvas::svg(sheet.width, height);
-  canvas.rectangle(0.0, 0.0, sheet.width, height, kPaper);
+  canvas.rectangle(0.0, 0.0, sheet.width, height, figure.ground);
   draw_whole(canvas, figure, sheet);
   return canvas.save(path);
 }

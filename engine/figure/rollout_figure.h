@@ -11,7 +11,7 @@
 #include "engine/core/result.h"
 #include "engine/figure/print.h"
 #include "engine/learning/model.h"
-#include "engine/learning/rollout_table.h"
+#include "engine/learning/rollout_spread.h"
 
 namespace trocar::figure {
 
@@ -27,6 +27,7 @@ struct DrawnRollouts {
   std::shared_ptr<const learning::Model> model;
   std::shared_ptr<const std::vector<learning::Rollout>> rollouts;
   std::shared_ptr<const std::vector<double>> clearance_m;  ///< By CellIndex; null: not known.
+  std::shared_ptr<const learning::RolloutSpread> spread;   ///< For boxes, which are drawn of it alone.
 };
 
 struct RolloutFigure {
@@ -41,12 +42,10 @@ struct RolloutFigure {
   int columns = 4;             ///< Of pictures; fewer where they would be too small.
   int width_px = 1000;         ///< At least 480.
   std::optional<Print> print;  ///< For paper: in place of `width_px`.
+  Rgba ground = kPaper;        ///< Of drawings, too.
 };
 
-/// Whether the measure is a number that boxes are drawn of: no start, no class.
-bool has_boxes(learning::RolloutMeasure measure);
-
-/// Precondition (here and below): a model at least, and `has_boxes` of each of `measures`.
+/// Precondition (here and below): a model at least, and `learning::has_spread` of each of `measures`.
 Image draw_rollouts(const RolloutFigure& figure);
 /// As .svg or .pdf, by the ending of `path`. Errors: kInvalidArgument for another, kIo.
 Status save_rollouts(const RolloutFigure& figure, const std::filesystem::path& path);

@@ -17,6 +17,8 @@ double margin_of(const Sheet& sheet);
 std::string letter_of(const RolloutFigure& figure, std::size_t model);
 /// Whether all ranges hold its values.
 bool is_kept(const RolloutFigure& figure, const DrawnRollouts& of, const learning::Rollout& rollout);
+/// How rollouts of its spread end, each once.
+std::vector<learning::RolloutEnd> ends_of(const DrawnRollouts& of);
 double value_of(const DrawnRollouts& of, const learning::Rollout& rollout, learning::RolloutMeasure measure);
 
 }  // namespace trocar::figure

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/figure/field_figure.h"
+#include "engine/figure/print.h"
 #include "engine/figure/slice_geometry.h"
 
 namespace trocar::figure {
@@ -9,7 +10,6 @@ namespace trocar::figure {
 // Ink for letters and frames, and the quieter one for what is beside the point.
 constexpr Rgba kInk{28, 30, 34, 255};
 constexpr Rgba kQuiet{96, 101, 109, 255};
-constexpr Rgba kPaper{255, 255, 255, 255};
 constexpr Rgba kHatchGround{247, 247, 248, 255};
 constexpr Rgba kHatchInk{172, 177, 185, 255};
 

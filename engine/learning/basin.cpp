@@ -143,4 +143,13 @@ PairedComparison compare(const Basin& a, const Basin& b, const std::vector<CellI
   return result;
 }
 
+OutcomeTable outcome_table(const Basin& a, const Basin& b, const std::vector<spatial::CellIndex>& starts) {
+  OutcomeTable table{};
+  for (const spatial::CellIndex start : starts) {
+    const auto cell = static_cast<std::size_t>(start.value);
+    ++table[static_cast<std::size_t>(a.end[cell])][static_cast<std::size_t>(b.end[cell])];
+  }
+  return table;
+}
+
 }  // namespace trocar::learning

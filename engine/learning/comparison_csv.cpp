@@ -13,7 +13,7 @@ std::string cell_of(double value) {
 }
 
 std::string drawn(const Model& model, double value) {
-  return model.options.method == Method::kExact ? "" : cell_of(value);
+  return is_sampled(model.options.method) ? cell_of(value) : "";
 }
 
 class Rows {
@@ -37,9 +37,10 @@ std::string comparison_csv(const Model& a, const Model& b, const ModelComparison
   rows.add("method", std::string(to_string(a.options.method)), std::string(to_string(b.options.method)));
   rows.add("epsilon", drawn(a, a.options.epsilon), drawn(b, b.options.epsilon));
   rows.add("seed", drawn(a, static_cast<double>(a.options.seed)), drawn(b, static_cast<double>(b.options.seed)));
-  rows.add("fully_explored", of_a.exploration.fully_explored, of_b.exploration.fully_explored);
-  rows.add("partly_explored", of_a.exploration.partly_explored, of_b.exploration.partly_explored);
-  rows.add("fully_unexplored", of_a.exploration.fully_unexplored, of_b.exploration.fully_unexplored);
+  rows.add("fully_explored", drawn(a, of_a.exploration.fully_explored), drawn(b, of_b.exploration.fully_explored));
+  rows.add("partly_explored", drawn(a, of_a.exploration.partly_explored), drawn(b, of_b.exploration.partly_explored));
+  rows.add("fully_unexplored", drawn(a, of_a.exploration.fully_unexplored),
+           drawn(b, of_b.exploration.fully_unexplored));
   rows.add("mean_reward", of_a.mean_reward, of_b.mean_reward);
   rows.add("least_reward", of_a.least_reward, of_b.least_reward);
   rows.add("mean_margin", of_a.mean_margin, of_b.mean_margin);

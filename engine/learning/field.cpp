@@ -89,6 +89,7 @@ std::vector<double> margins(const Model& model) {
 }
 
 std::vector<double> visit_counts(const Model& model) {
+  if (!knows_visits(model)) return std::vector<double>(model.visits.size(), kUnknown);
   const double unit = model.options.method == Method::kExact ? 1e-3 : 1.0;
   std::vector<double> values(model.visits.size());
   for (std::size_t s = 0; s < values.size(); ++s) values[s] = unit * model.visits[s];
@@ -97,6 +98,7 @@ std::vector<double> visit_counts(const Model& model) {
 
 std::vector<double> explored_classes(const Model& model) {
   constexpr std::uint8_t kAllActions = (1U << kActionCount) - 1;
+  if (!is_sampled(model.options.method)) return std::vector<double>(model.tried.size(), kUnknown);
   std::vector<double> values(model.tried.size());
   for (std::size_t s = 0; s < values.size(); ++s) {
     values[s] = model.tried[s] == kAllActions ? 2.0 : (model.tried[s] != 0 ? 1.0 : 0.0);
@@ -226,6 +228,10 @@ const std::vector<Layer>& all_layers() {
     return list;
   }();
   return layers;
+}
+
+bool knows_visits(const Model& model) {
+  return model.options.method != Method::kImported;
 }
 
 double Field::low() const {

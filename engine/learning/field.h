@@ -49,6 +49,9 @@ struct Field {
   double low() const;   ///< Smallest finite value, 0 if none.
   double high() const;  ///< Largest finite value, 1 if none.
 };
+/// Whether it says how often cells are visited: an imported table does not. Which actions were tried is known of
+/// methods that sample alone (`is_sampled`).
+bool knows_visits(const Model& model);
 /// What the layer has in one cell, without making the layer; nothing where it is unknown. Of the layers reward, value,
 /// Q and margin.
 std::optional<double> known_value(const Model& model, Layer layer, spatial::CellIndex cell);

@@ -16,32 +16,59 @@ std::vector<Eigen::Vector3d> centres(const spatial::Grid& grid, const CellSequen
   return points;
 }
 
-double distance_to_nearest(const Eigen::Vector3d& point, const std::vector<Eigen::Vector3d>& points) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& other : points) nearest = std::min(nearest, (point - other).norm());
-  return nearest;
-}
+/// Of a path from another: what is worked out of the table of all distances between their points, row by row.
+struct PathDistances {
+  std::vector<double> nearest_m;  ///< Of each point of the path, to the other.
+  double frechet_m = 0.0;         ///< Discrete.
+  double hausdorff_m = 0.0;
+  double warped_m = 0.0;  ///< Mean over the pairs of the cheapest warping.
+};
 
-/// Discrete Fréchet distance, one row of its table at a time.
-double frechet_distance(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b) {
-  std::vector<double> row(b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    double diagonal = 0.0;  // table entry (i − 1, j − 1)
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const double here = (a[i] - b[j]).norm();
-      double reach = here;
+struct Warped {
+  double sum = 0.0;
+  int pairs = 0;
+};
+
+PathDistances distances_between(const std::vector<Eigen::Vector3d>& path, const std::vector<Eigen::Vector3d>& other) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  PathDistances found;
+  std::vector<double> reach(other.size());
+  std::vector<Warped> warped(other.size());
+  std::vector<double> nearest_of_other(other.size(), kFar);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    double diagonal = 0.0;  // table entries (i − 1, j − 1)
+    Warped warped_diagonal;
+    double nearest = kFar;
+    for (std::size_t j = 0; j < other.size(); ++j) {
+      const double here = (path[i] - other[j]).norm();
+      nearest = std::min(nearest, here);
+      nearest_of_other[j] = std::min(nearest_of_other[j], here);
+      double before = here;
+      Warped from;
       if (i > 0 && j > 0) {
-        reach = std::min({row[j], row[j - 1], diagonal});
+        before = std::min({reach[j], reach[j - 1], diagonal});
+        from = warped_diagonal;
+        if (warped[j].sum < from.sum) from = warped[j];
+        if (warped[j - 1].sum < from.sum) from = warped[j - 1];
       } else if (i > 0) {
-        reach = row[j];
+        before = reach[j];
+        from = warped[j];
       } else if (j > 0) {
-        reach = row[j - 1];
+        before = reach[j - 1];
+        from = warped[j - 1];
       }
-      diagonal = row[j];
-      row[j] = std::max(reach, here);
+      diagonal = reach[j];
+      warped_diagonal = warped[j];
+      reach[j] = std::max(before, here);
+      warped[j] = {from.sum + here, from.pairs + 1};
     }
+    found.nearest_m.push_back(nearest);
+    found.hausdorff_m = std::max(found.hausdorff_m, nearest);
   }
-  return row.back();
+  for (const double nearest : nearest_of_other) found.hausdorff_m = std::max(found.hausdorff_m, nearest);
+  found.frechet_m = reach.back();
+  found.warped_m = warped.back().sum / warped.back().pairs;
+  return found;
 }
 
 void follow(const Model& model, const std::vector<std::uint8_t>& policy, Rollout& result) {
@@ -90,14 +117,19 @@ void measure(const Model& model, Rollout& result) {
   result.length_m = model.grid.cell_m * static_cast<double>(path.size() - 1);
   // A start at the goal is as straight as a path can be.
   result.straightness = result.length_m > 0.0 ? (path.back() - path.front()).norm() / result.length_m : 1.0;
+  const PathDistances distances = distances_between(path, expert);
   double sum_m = 0.0;
-  for (const Eigen::Vector3d& point : path) {
-    const double deviation_m = distance_to_nearest(point, expert);
+  for (const double deviation_m : distances.nearest_m) {
     result.max_deviation_m = std::max(result.max_deviation_m, deviation_m);
     sum_m += deviation_m;
   }
   result.mean_deviation_m = sum_m / static_cast<double>(path.size());
-  result.frechet_m = frechet_distance(path, expert);
+  result.frechet_m = distances.frechet_m;
+  result.hausdorff_m = distances.hausdorff_m;
+  result.warped_m = distances.warped_m;
+  for (std::size_t i = 1; i < result.cells.size(); ++i) {
+    result.outside_steps += model.safe.contains(result.cells[i]) ? 0 : 1;
+  }
   result.from_above = result.end == RolloutEnd::kArrives && ends_from_above(model, result.cells);
   result.divergence_step = first_departure(result.cells, model.experts.front());
 }

@@ -38,9 +38,13 @@ struct Rollout {
   double straightness = 0.0;     ///< Distance start–end over length, 0 … 1.
   double max_deviation_m = 0.0;  ///< From the first expert's cells.
   double mean_deviation_m = 0.0;
-  double frechet_m = 0.0;  ///< Discrete Fréchet distance to the first expert.
+  double frechet_m = 0.0;    ///< Discrete Fréchet distance to the first expert.
+  double hausdorff_m = 0.0;  ///< The farthest that a cell of either is from the other's nearest.
+  /// Mean distance of the matched cells where both are warped to each other at the least sum (DTW).
+  double warped_m = 0.0;
   bool from_above = false;
   double reward_sum = 0.0;
+  int outside_steps = 0;     ///< That end outside of the safe set.
   int divergence_step = -1;  ///< First step at which it leaves the expert's cells; −1 if never.
 };
 Rollout rollout(const Model& model, const std::vector<std::uint8_t>& policy, spatial::CellIndex start);
@@ -58,6 +62,10 @@ struct RolloutSummary {
   int from_above = 0;  ///< Of the arrived.
 };
 RolloutSummary summarise(const Basin& basin, const std::vector<spatial::CellIndex>& starts);
+
+/// How many starts end so with A (rows) and so with B (columns), by `RolloutEnd`.
+using OutcomeTable = std::array<std::array<int, 4>, 4>;
+OutcomeTable outcome_table(const Basin& a, const Basin& b, const std::vector<spatial::CellIndex>& starts);
 
 /// Paired comparison of two models over the same starts, and McNemar's exact two-sided p.
 struct PairedComparison {

@@ -19,10 +19,13 @@ constexpr std::array<MeasureWords, kRolloutMeasures> kWords{{
     {"max_deviation", "Worst", "Worst deviation", "mm", 1e3},
     {"mean_deviation", "Mean", "Mean deviation", "mm", 1e3},
     {"frechet", "Fréchet", "Fréchet distance", "mm", 1e3},
+    {"hausdorff", "Hausdorff", "Hausdorff distance", "mm", 1e3},
+    {"dtw", "Warped", "Warped distance (DTW)", "mm", 1e3},
     {"last_moves", "Last moves", "Last moves down", "", 1.0},
     {"from_above", "From above", "From above", "", 1.0},
     {"reward", "Reward", "Sum of rewards", "", 1.0},
     {"divergence", "Departs", "Step of departure", "", 1.0},
+    {"outside", "Outside", "Steps outside of the safe set", "", 1.0},
     {"clearance", "Clearance", "Least clearance", "mm", 1e3},
 }};
 
@@ -54,6 +57,7 @@ std::string measure_text(RolloutMeasure measure, double value) {
     case RolloutMeasure::kStart:
     case RolloutMeasure::kSteps:
     case RolloutMeasure::kLastMoves:
+    case RolloutMeasure::kOutside:
       return fmt::format("{}", whole);
     default:
       break;

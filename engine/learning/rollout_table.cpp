@@ -51,35 +51,11 @@ std::string monte_carlo_cells(const MonteCarlo& result, std::size_t i) {
 
 std::string row_of(const Model& model, const Rollout& r, std::span<const double> clearance_m) {
   const spatial::CellCoordinates c = model.grid.coordinates(r.start);
-  return fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:d},{:.9g},{},{},{}", c.x, c.y, c.z,
-                     to_string(r.end), r.cells.size() - 1, 1e3 * r.length_m, r.straightness, 1e3 * r.max_deviation_m,
-                     1e3 * r.mean_deviation_m, 1e3 * r.frechet_m, r.from_above, r.reward_sum, r.divergence_step,
+  return fmt::format("{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:d},{:.9g},{},{},{},{}", c.x,
+                     c.y, c.z, to_string(r.end), r.cells.size() - 1, 1e3 * r.length_m, r.straightness,
+                     1e3 * r.max_deviation_m, 1e3 * r.mean_deviation_m, 1e3 * r.frechet_m, 1e3 * r.hausdorff_m,
+                     1e3 * r.warped_m, r.from_above, r.reward_sum, r.divergence_step, r.outside_steps,
                      last_moves(model.grid, r.cells), cell_text(1e3 * least_clearance_m(r, clearance_m)));
-}
-
-/// By CellIndex, of those that `rollouts` go through; metres.
-std::vector<double> deviations(const Model& model, const std::vector<Rollout>& rollouts) {
-  std::vector<double> by_cell(static_cast<std::size_t>(model.grid.cell_count()), -1.0);
-  for (const Rollout& rollout : rollouts) {
-    for (const CellIndex cell : rollout.cells) {
-      double& deviation_m = by_cell[static_cast<std::size_t>(cell.value)];
-      if (deviation_m >= 0.0) continue;
-      deviation_m = std::numeric_limits<double>::infinity();
-      const Eigen::Vector3d here = model.grid.centre(cell);
-      for (const CellIndex expert : model.experts.front()) {
-        deviation_m = std::min(deviation_m, (model.grid.centre(expert) - here).norm());
-      }
-    }
-  }
-  return by_cell;
-}
-
-/// Of sorted values, the one that a share of them does not exceed.
-double quantile(const std::vector<double>& sorted, double share) {
-  const double at = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
 }  // namespace
@@ -119,6 +95,10 @@ double measure(const Rollout& rollout, RolloutMeasure measure, const spatial::Gr
       return rollout.mean_deviation_m;
     case RolloutMeasure::kFrechet:
       return rollout.frechet_m;
+    case RolloutMeasure::kHausdorff:
+      return rollout.hausdorff_m;
+    case RolloutMeasure::kWarped:
+      return rollout.warped_m;
     case RolloutMeasure::kLastMoves: {
       const std::vector<Action> last = last_actions(grid, rollout.cells);
       return static_cast<double>(std::count(last.begin(), last.end(), Action::kMinusZ));
@@ -129,6 +109,8 @@ double measure(const Rollout& rollout, RolloutMeasure measure, const spatial::Gr
       return rollout.reward_sum;
     case RolloutMeasure::kDivergence:
       return rollout.divergence_step;
+    case RolloutMeasure::kOutside:
+      return rollout.outside_steps;
     case RolloutMeasure::kClearance:
       return least_clearance_m(rollout, clearance_m);
   }
@@ -162,8 +144,8 @@ Result<std::string> rollout_csv(const Model& model, const std::vector<std::uint8
                                 const std::vector<CellIndex>& starts, const RolloutTableOptions& options,
                                 Progress& progress) {
   std::string csv =
-      "i,j,k,end,steps,length_mm,straightness,max_deviation_mm,mean_deviation_mm,frechet_mm,from_above,reward_sum,"
-      "divergence_step,last_moves,clearance_mm";
+      "i,j,k,end,steps,length_mm,straightness,max_deviation_mm,mean_deviation_mm,frechet_mm,hausdorff_mm,dtw_mm,"
+      "from_above,reward_sum,divergence_step,outside_steps,last_moves,clearance_mm";
   if (options.monte_carlo != nullptr) csv += ",runs,runs_arrived,share,low,high,mean_steps";
   csv += '\n';
   for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -172,40 +154,6 @@ Result<std::string> rollout_csv(const Model& model, const std::vector<std::uint8
     csv += row_of(model, rollout(model, policy, starts[i]), options.clearance_m);
     if (options.monte_carlo != nullptr) csv += monte_carlo_cells(*options.monte_carlo, i);
     csv += '\n';
-  }
-  return csv;
-}
-
-DeviationBand deviation_band(const Model& model, const std::vector<Rollout>& rollouts) {
-  const std::vector<double> by_cell = deviations(model, rollouts);
-  std::size_t longest = 0;
-  for (const Rollout& rollout : rollouts) longest = std::max(longest, rollout.cells.size());
-  DeviationBand band;
-  std::vector<double> at_step;
-  for (std::size_t step = 0; step < longest; ++step) {
-    at_step.clear();
-    for (const Rollout& rollout : rollouts) {
-      if (step < rollout.cells.size()) at_step.push_back(by_cell[static_cast<std::size_t>(rollout.cells[step].value)]);
-    }
-    if (at_step.size() < kLeastInBand) break;
-    std::sort(at_step.begin(), at_step.end());
-    band.low.push_back(quantile(at_step, 0.05));
-    band.lower.push_back(quantile(at_step, 0.25));
-    band.median.push_back(quantile(at_step, 0.5));
-    band.upper.push_back(quantile(at_step, 0.75));
-    band.high.push_back(quantile(at_step, 0.95));
-    band.count.push_back(static_cast<int>(at_step.size()));
-  }
-  return band;
-}
-
-std::string band_csv(const DeviationBand& band) {
-  std::string csv = "step,n,share,p05_mm,p25_mm,median_mm,p75_mm,p95_mm\n";
-  for (std::size_t step = 0; step < band.count.size(); ++step) {
-    csv += fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", step, band.count[step],
-                       static_cast<double>(band.count[step]) / static_cast<double>(band.count.front()),
-                       1e3 * band.low[step], 1e3 * band.lower[step], 1e3 * band.median[step], 1e3 * band.upper[step],
-                       1e3 * band.high[step]);
   }
   return csv;
 }
@@ -221,22 +169,6 @@ std::vector<int> arrivals_by_step(const Basin& basin, const std::vector<CellInde
   }
   std::partial_sum(by_step.begin(), by_step.end(), by_step.begin());
   return by_step;
-}
-
-Spread spread_of(std::vector<double> values) {
-  std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  return {static_cast<int>(values.size()), values.front(),         quantile(values, 0.25),
-          quantile(values, 0.5),           quantile(values, 0.75), values.back()};
-}
-
-Spread worst_deviations_m(const std::vector<Rollout>& rollouts, RolloutEnd end) {
-  std::vector<double> values;
-  for (const Rollout& rollout : rollouts) {
-    if (rollout.end == end) values.push_back(rollout.max_deviation_m);
-  }
-  return spread_of(std::move(values));
 }
 
 std::vector<Eigen::Vector3d> way_until(const Rollout& rollout, const spatial::Grid& grid, double steps) {

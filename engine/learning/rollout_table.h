@@ -23,13 +23,16 @@ enum class RolloutMeasure : std::uint8_t {
   kMaxDeviation,
   kMeanDeviation,
   kFrechet,
+  kHausdorff,
+  kWarped,
   kLastMoves,
   kFromAbove,
   kReward,
   kDivergence,
+  kOutside,
   kClearance,
 };
-constexpr int kRolloutMeasures = 13;
+constexpr int kRolloutMeasures = 16;
 
 /// What a measure is called, and in what it is written: its SI value times `scale` is in `unit`.
 struct MeasureWords {
@@ -84,38 +87,9 @@ Result<std::string> rollout_csv(const Model& model, const std::vector<std::uint8
                                 const std::vector<spatial::CellIndex>& starts, const RolloutTableOptions& options,
                                 Progress& progress);
 
-/// How far rollouts are from the expert's cells, step by step, metres: the middle one, and where half and 90 % lie, of
-/// those that still go on, `count` of them; up to the last step that `kLeastInBand` of them reach.
-struct DeviationBand {
-  std::vector<double> low;    ///< 5 %
-  std::vector<double> lower;  ///< 25 %
-  std::vector<double> median;
-  std::vector<double> upper;  ///< 75 %
-  std::vector<double> high;   ///< 95 %
-  std::vector<int> count;
-};
-constexpr int kLeastInBand = 5;
-DeviationBand deviation_band(const Model& model, const std::vector<Rollout>& rollouts);
-/// A header and one row for each step: how many still go on, and their share of all; millimetres.
-std::string band_csv(const DeviationBand& band);
-
 /// How many of the starts have arrived within 0, 1, 2 … steps; up to the slowest that arrives, so that the last is how
 /// many arrive at all. One 0 where none does.
 std::vector<int> arrivals_by_step(const Basin& basin, const std::vector<spatial::CellIndex>& starts);
-
-/// Where values lie, between whole ranks by proportion.
-struct Spread {
-  int count = 0;  ///< 0: there is none, and what follows is 0.
-  double least = 0.0;
-  double low = 0.0;  ///< A quarter lies below.
-  double median = 0.0;
-  double high = 0.0;  ///< A quarter lies above.
-  double most = 0.0;
-};
-/// Of those that are finite.
-Spread spread_of(std::vector<double> values);
-/// Of how far the rollouts that end so stray from the expert at their worst, metres.
-Spread worst_deviations_m(const std::vector<Rollout>& rollouts, RolloutEnd end);
 
 /// The way of a rollout up to so many steps, fractions too, from its start; W, metres; at least one point.
 std::vector<Eigen::Vector3d> way_until(const Rollout& rollout, const spatial::Grid& grid, double steps);

@@ -139,6 +139,42 @@ Starts gaussian(std::string_view rest, const Model& model) {
   return cells;
 }
 
+/// One draw in each of N equal parts of every axis, the parts of the axes matched at random (McKay et al. 1979).
+Starts latin(std::string_view rest, const Model& model) {
+  const std::vector<std::string_view> parts = split(rest, ',');
+  const bool near = parts.size() == 3;
+  const auto count = parts.size() == 2 || near ? number<int>(parts[0]) : std::nullopt;
+  const auto seed = count ? number<std::uint64_t>(parts[1]) : std::nullopt;
+  const auto k = near ? number<int>(parts[2]) : std::optional<int>(model.grid.n);
+  if (!count || !seed || !k || *count < 1 || *count > kMostDraws || *k < 0 || *k > model.grid.n) {
+    return fail(ErrorCode::kInvalidArgument,
+                "latin: needs up to 1,000,000 draws, a seed and, if not of the whole lattice, a number of cells around "
+                "the start, as latin:200,1 or latin:200,1,3");
+  }
+  const CellCoordinates start = model.grid.coordinates(model.start);
+  Random random(*seed);
+  const auto draws = static_cast<std::size_t>(*count);
+  std::array<std::vector<int>, 3> places;
+  for (std::size_t axis = 0; axis < places.size(); ++axis) {
+    const int middle = axis == 0 ? start.x : axis == 1 ? start.y : start.z;
+    const int low = std::max(0, middle - *k);
+    const int cells = std::min(model.grid.n - 1, middle + *k) - low + 1;
+    for (std::size_t i = 0; i < draws; ++i) {
+      const double part = (static_cast<double>(i) + random.uniform()) / static_cast<double>(draws);
+      places[axis].push_back(low + std::min(static_cast<int>(part * cells), cells - 1));
+    }
+    for (std::size_t i = draws; i > 1; --i) {
+      std::swap(places[axis][i - 1],
+                places[axis][static_cast<std::size_t>(random.below(static_cast<std::uint32_t>(i)))]);
+    }
+  }
+  std::vector<CellIndex> found;
+  for (std::size_t i = 0; i < draws; ++i) {
+    found.push_back(model.grid.index({places[0][i], places[1][i], places[2][i]}));
+  }
+  return found;
+}
+
 Starts listed(std::string_view rest, const Model& model) {
   spatial::CellSet set(model.grid);
   for (const std::string_view part : split(rest, ',')) {
@@ -160,18 +196,20 @@ struct Form {
   std::string_view name;
   Starts (*read)(std::string_view rest, const Model& model);
 };
-constexpr std::array<Form, 6> kForms{{{"around:", around},
+constexpr std::array<Form, 7> kForms{{{"around:", around},
                                       {"box:", box},
                                       {"face:", face},
                                       {"sphere:", sphere},
                                       {"gaussian:", gaussian},
+                                      {"latin:", latin},
                                       {"cells:", listed}}};
 
 }  // namespace
 
 std::string_view start_set_help() {
   return "all, around:K (within ±K cells of the start), box:X0-X1,Y0-Y1,Z0-Z1, face:x0 … face:z1, sphere:X,Y,Z,R, "
-         "gaussian:SIGMA_MM,N,SEED, cells:A,B-C or file:F.csv (columns i,j,k)";
+         "gaussian:SIGMA_MM,N,SEED, latin:N,SEED (or latin:N,SEED,K near the start), cells:A,B-C or file:F.csv "
+         "(columns i,j,k)";
 }
 
 Starts starts_from(std::string_view text, const Model& model) {

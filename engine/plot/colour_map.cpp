@@ -27,6 +27,9 @@ constexpr std::array kCividisKeys{0x00204DU, 0x00306FU, 0x2A406CU, 0x48526BU, 0x
                                   0x878479U, 0x9E9677U, 0xB6A971U, 0xD0BE67U, 0xEAD357U, 0xFFEA46U};
 constexpr std::array kMagmaKeys{0x000004U, 0x150E38U, 0x3B0F70U, 0x641A80U, 0x8C2981U, 0xB63679U,
                                 0xDE4968U, 0xF76F5CU, 0xFE9F6DU, 0xFECE91U, 0xFCFDBFU};
+constexpr std::array kTurboKeys{0x23171BU, 0x463699U, 0x4958DDU, 0x3E7BF7U, 0x2F9EF5U, 0x26BDE1U, 0x27D7C3U,
+                                0x35EBA2U, 0x4EF983U, 0x6FFE67U, 0x96FA50U, 0xBDEF3EU, 0xDFDC32U, 0xF9C229U,
+                                0xFFA323U, 0xFF801DU, 0xF45C17U, 0xD93B10U, 0xB82008U, 0x9B0F00U, 0x900D00U};
 constexpr std::array kOkabeIto{0xE69F00U, 0x56B4E9U, 0x009E73U, 0xF0E442U, 0x0072B2U, 0xD55E00U, 0xCC79A7U, 0x000000U};
 static_assert(kOkabeIto.size() == kCategoryCount);
 
@@ -91,6 +94,7 @@ const Table& table_of(ColourMap map) {
   static const Table viridis = table_through(kViridisKeys);
   static const Table cividis = table_through(kCividisKeys);
   static const Table magma = table_through(kMagmaKeys);
+  static const Table turbo = table_through(kTurboKeys);
   static const Table grey = grey_table();
   static const Table diverging = diverging_table();
   switch (map) {
@@ -98,6 +102,8 @@ const Table& table_of(ColourMap map) {
       return cividis;
     case ColourMap::kMagma:
       return magma;
+    case ColourMap::kTurbo:
+      return turbo;
     case ColourMap::kGrey:
       return grey;
     case ColourMap::kDiverging:
@@ -107,7 +113,8 @@ const Table& table_of(ColourMap map) {
   }
 }
 
-constexpr std::array<std::string_view, 6> kMapNames{"viridis", "cividis", "magma", "grey", "diverging", "categorical"};
+constexpr std::array<std::string_view, 7> kMapNames{"viridis", "cividis",   "magma",      "turbo",
+                                                    "grey",    "diverging", "categorical"};
 
 }  // namespace
 
@@ -119,8 +126,9 @@ Result<ColourMap> colour_map_from(std::string_view text) {
   for (std::size_t i = 0; i < kMapNames.size(); ++i) {
     if (kMapNames[i] == text) return static_cast<ColourMap>(i);
   }
-  return fail(ErrorCode::kInvalidArgument, "no colour map is named \"" + std::string(text) +
-                                               "\"; there are viridis, cividis, magma, grey, diverging, categorical");
+  return fail(ErrorCode::kInvalidArgument,
+              "no colour map is named \"" + std::string(text) +
+                  "\"; there are viridis, cividis, magma, turbo, grey, diverging, categorical");
 }
 
 Rgba colour(ColourMap map, double t) {

@@ -1,4 +1,4 @@
-/// Colour maps for fields: perceptually even and safe for colour-blind readers; no rainbow.
+/// Colour maps for fields: perceptually even and safe for colour-blind readers; no rainbow but turbo.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,8 @@
 
 namespace trocar::plot {
 
-enum class ColourMap { kViridis, kCividis, kMagma, kGrey, kDiverging, kCategorical };
+/// All but turbo are even and safe; it is there for who must match another figure, and is never chosen by itself.
+enum class ColourMap { kViridis, kCividis, kMagma, kTurbo, kGrey, kDiverging, kCategorical };
 std::string_view to_string(ColourMap map);
 /// Errors: kInvalidArgument with the names that there are.
 Result<ColourMap> colour_map_from(std::string_view text);

@@ -65,7 +65,7 @@ Image paint_slice(const FieldLayer& layer, const Plane& plane, int slice) {
   const int n = layer.field->grid.n;
   Image image(n * kTexels, n * kTexels);
   const int thickness = layer.slabs[static_cast<std::size_t>(plane.normal)];
-  const learning::Field shown = learning::with_slab(*layer.field, plane.normal, slice, thickness);
+  const learning::Field shown = learning::with_slab(*layer.field, plane.normal, slice, thickness, layer.through);
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) {
       const spatial::CellIndex cell = cell_at(layer.field->grid, plane, slice, column, row);
@@ -193,11 +193,11 @@ bool same_scale(const plot::Scale& a, const plot::Scale& b) {
 bool same_drawing(const FieldLayer& a, const FieldLayer& b) {
   const plot::Colouring& left = a.colouring;
   const plot::Colouring& right = b.colouring;
-  return a.field == b.field && a.slices == b.slices && a.slabs == b.slabs && a.voxels == b.voxels &&
-         a.voxel_threshold == b.voxel_threshold && a.iso_level == b.iso_level && a.glyphs == b.glyphs &&
-         a.opacity == b.opacity && a.model == b.model && a.policy == b.policy && a.streamlines == b.streamlines &&
-         left.map == right.map && left.vision == right.vision && left.categories == right.categories &&
-         same_scale(left.scale, right.scale);
+  return a.field == b.field && a.slices == b.slices && a.slabs == b.slabs && a.through == b.through &&
+         a.voxels == b.voxels && a.voxel_threshold == b.voxel_threshold && a.iso_level == b.iso_level &&
+         a.glyphs == b.glyphs && a.opacity == b.opacity && a.model == b.model && a.policy == b.policy &&
+         a.streamlines == b.streamlines && left.map == right.map && left.vision == right.vision &&
+         left.categories == right.categories && same_scale(left.scale, right.scale);
 }
 
 std::optional<Rgba> colour_of(const FieldLayer& layer, spatial::CellIndex cell) {

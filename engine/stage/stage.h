@@ -13,6 +13,7 @@
 #include "engine/demonstration/demonstration.h"
 #include "engine/kinematics/psm.h"
 #include "engine/learning/field.h"
+#include "engine/learning/slab.h"
 #include "engine/plot/colouring.h"
 #include "engine/plot/opacity_curve.h"
 #include "engine/scene/scene.h"
@@ -47,7 +48,8 @@ struct PathLayer {
 struct FieldLayer {
   std::shared_ptr<const learning::Field> field;
   std::array<int, 3> slices{-1, -1, -1};  ///< x, y, z.
-  std::array<int, 3> slabs{1, 1, 1};      ///< Cells, at least 1: a slice shows the largest value across them.
+  std::array<int, 3> slabs{1, 1, 1};      ///< Cells, at least 1, of which a slice shows …
+  learning::Through through = learning::Through::kLargest;
   bool voxels = false;
   double voxel_threshold = 0.9;                     ///< Position on the scale, 0 … 1, from which on a voxel is drawn.
   std::optional<double> iso_level;                  ///< Position on the scale, 0 … 1; none: no surface.

@@ -53,6 +53,18 @@ std::string share_text(double share, int digits) {
   return text;
 }
 
+std::string points_text(double difference, int digits) {
+  const double size = std::abs(difference);
+  const double least = std::pow(10.0, -digits);
+  const std::string_view sign = difference < 0.0 ? "−" : "+";
+  const auto words = [digits](double points) { return fmt::format("{:.{}f}", points, digits); };
+  const std::string text = words(100.0 * size);
+  if (size == 0.0) return text;
+  if (size < 1.0 && text == words(100.0)) return fmt::format("{}>{}", sign, words(100.0 - least));
+  if (text == words(0.0)) return fmt::format("{}<{}", sign, words(least));
+  return fmt::format("{}{}", sign, text);
+}
+
 std::string percent_text(std::int64_t part, std::int64_t whole, int digits) {
   if (whole <= 0) return "–";
   return share_text(static_cast<double>(part) / static_cast<double>(whole), digits);

@@ -10,6 +10,7 @@
 #include "engine/core/check.h"
 #include "engine/core/random.h"
 #include "engine/demonstration/recording.h"
+#include "engine/learning/policy.h"
 #include "engine/learning/rollout.h"
 #include "engine/simulation/world.h"
 #include "engine/trial/arm_drive.h"
@@ -28,6 +29,8 @@ constexpr double kLead_m_s = 0.060;  // while the tool is led to its start
 constexpr double kAbove_m = 0.055;   // over the pegs and what stands on them
 constexpr double kNear_m = 0.0002;   // of a place that the tool was to reach
 constexpr int kMostWaits = 200;      // samples for the limits to let it get there
+constexpr double kMostDelay_s = 5.0;
+constexpr double kMostNoise_m = 0.05;
 constexpr double kSamplePeriod_s = 1.0 / demonstration::kSampleRate_hz;
 
 /// The world with the left tool in it, one sample at a time.
@@ -51,6 +54,10 @@ class Driven {
   }
   std::optional<int> carried() const { return carried_; }
   Eigen::Vector3d tip() const { return state().arm(ArmSide::kLeft).X_WT.p; }
+  /// Where it was so many samples ago, or first.
+  Eigen::Vector3d tip_before(std::size_t samples) const {
+    return tips_.empty() ? tip() : tips_[tips_.size() - 1 - std::min(samples, tips_.size() - 1)];
+  }
   double seconds() const { return state().tick.seconds(); }
   double length_m() const { return length_m_; }
   std::uint64_t hash() const { return world_.state_hash(); }
@@ -89,6 +96,7 @@ class Driven {
       world_.step();
     }
     length_m_ += (tip() - before).norm();
+    tips_.push_back(tip());
   }
 
   simulation::World world_;
@@ -97,6 +105,7 @@ class Driven {
   ToolCommand wish_;
   std::optional<ArmDrive> drive_;
   double length_m_ = 0.0;
+  std::vector<Eigen::Vector3d> tips_;  ///< After each sample.
 };
 
 int samples_for(double way_m) {
@@ -131,18 +140,60 @@ Places blocks_of(const simulation::WorldState& state) {
   return places;
 }
 
-/// From cell to cell until it ends. `seen` are the cells in which the policy was asked.
-PhysicsEnd follow(const learning::Model& model, const std::vector<std::uint8_t>& policy, double end_s, Driven& driven,
-                  int& steps) {
-  spatial::CellSet seen(model.grid);
+/// Where the agent takes the tool to be, and what it makes of it. The same for a seed and a start.
+class Perturbed {
+ public:
+  Perturbed(const learning::Model& model, const std::vector<std::uint8_t>& policy, const PhysicsOptions& options,
+            CellIndex start)
+      : policy_(policy),
+        how_(options.perturbed),
+        allowed_(learning::allowed_moves(model.grid, model.safe)),
+        random_(Random(options.seed).child(static_cast<std::uint64_t>(start.value)).child(1)) {}
+
+  bool any() const { return how_ != Perturbation{}; }
+
+  Eigen::Vector3d seen(const Driven& driven) {
+    const auto late = static_cast<std::size_t>(std::lround(how_.delay_s / kSamplePeriod_s));
+    Eigen::Vector3d place = driven.tip_before(late);
+    if (how_.noise_m > 0.0) {
+      for (int axis = 0; axis < 3; ++axis) place[axis] += how_.noise_m * random_.normal();
+    }
+    return place;
+  }
+
+  std::uint8_t action(CellIndex cell) {
+    const auto s = static_cast<std::size_t>(cell.value);
+    if (how_.epsilon <= 0.0 || policy_[s] == learning::kNoAction || random_.uniform() >= how_.epsilon)
+      return policy_[s];
+    std::vector<std::uint8_t> allowed;
+    for (std::uint8_t a = 0; a < spatial::kActionCount; ++a) {
+      if ((allowed_[s] >> a & 1) != 0) allowed.push_back(a);
+    }
+    return allowed.empty() ? policy_[s] : allowed[random_.below(static_cast<std::uint32_t>(allowed.size()))];
+  }
+
+ private:
+  const std::vector<std::uint8_t>& policy_;
+  Perturbation how_;
+  std::vector<std::uint8_t> allowed_;
+  Random random_;
+};
+
+/// From cell to cell until it ends. It arrives and leaves the lattice where it is, and goes by where it is taken to be.
+PhysicsEnd follow(const learning::Model& model, Perturbed& agent, double end_s, Driven& driven, int& steps) {
+  const int most_steps = 10 * model.grid.n;
+  spatial::CellSet asked(model.grid);
   for (;;) {
-    const Result<CellIndex> cell = model.grid.cell_at(driven.tip());
+    const Result<CellIndex> here = model.grid.cell_at(driven.tip());
+    if (!here) return PhysicsEnd::kOutsideSafeSet;
+    if (*here == model.goal) return PhysicsEnd::kArrives;
+    if (agent.any() ? steps >= most_steps : asked.contains(*here)) return PhysicsEnd::kLoops;
+    asked.insert(*here);
+    const Result<CellIndex> cell = model.grid.cell_at(agent.seen(driven));
     if (!cell) return PhysicsEnd::kOutsideSafeSet;
-    if (*cell == model.goal) return PhysicsEnd::kArrives;
-    if (seen.contains(*cell)) return PhysicsEnd::kLoops;
-    seen.insert(*cell);
-    const std::uint8_t action = policy[static_cast<std::size_t>(cell->value)];
+    const std::uint8_t action = agent.action(*cell);
     if (action == learning::kNoAction) {
+      // At the goal, too: it takes itself to be there, and stops short of it.
       return model.safe.contains(*cell) ? PhysicsEnd::kDeadEnd : PhysicsEnd::kOutsideSafeSet;
     }
     if (driven.seconds() >= end_s) return PhysicsEnd::kTimeUp;
@@ -162,6 +213,13 @@ Status check(const learning::Model& model, const std::vector<CellIndex>& starts,
   }
   if (!std::isfinite(options.time_limit_s) || options.time_limit_s <= 0.0) {
     return fail(ErrorCode::kInvalidArgument, "the time limit is not positive");
+  }
+  const Perturbation& how = options.perturbed;
+  const auto within = [](double value, double most) { return value >= 0.0 && value <= most; };
+  if (!within(how.epsilon, 1.0) || !within(how.delay_s, kMostDelay_s) || !within(how.noise_m, kMostNoise_m)) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("ε must lie in 0 … 1, the delay in 0 … {} s and the noise in 0 … {} mm", kMostDelay_s,
+                            1e3 * kMostNoise_m));
   }
   if (rollouts.size() != starts.size()) {
     return fail(ErrorCode::kInvalidArgument, "there are other rollouts kept than there are starts");
@@ -193,7 +251,8 @@ PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<s
   const double begin_s = driven.seconds();
   const Places before = blocks_of(driven.state());
   driven.measure_from_here();
-  result.end = follow(model, policy, begin_s + options.time_limit_s, driven, result.steps);
+  Perturbed agent(model, policy, options, start);
+  result.end = follow(model, agent, begin_s + options.time_limit_s, driven, result.steps);
   result.duration_s = driven.seconds() - begin_s;
   result.length_m = driven.length_m();
   const Places after = blocks_of(driven.state());
@@ -203,6 +262,11 @@ PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<s
   }
   result.state_hash = driven.hash();
   return result;
+}
+
+bool same_runs(const PhysicsOptions& a, const PhysicsOptions& b) {
+  return a.seed == b.seed && a.segment == b.segment && a.block == b.block && a.goal == b.goal &&
+         a.perturbed == b.perturbed && a.continuous == b.continuous && a.time_limit_s == b.time_limit_s;
 }
 
 int finished(const PhysicsRollouts& rollouts) {

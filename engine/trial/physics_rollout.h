@@ -15,17 +15,30 @@
 
 namespace trocar::trial {
 
+/// What makes the agent's world less than ideal. With any of it a cell that is come by again is no loop yet: a rollout
+/// loops that has not arrived after ten cells for each of a side of the lattice.
+struct Perturbation {
+  double epsilon =
+      0.0;  ///< 0 … 1: this share of the actions is drawn evenly from those that lattice and safe set allow.
+  double delay_s = 0.0;  ///< 0 … 5: the policy is asked for where the tool was so long ago.
+  double noise_m = 0.0;  ///< 0 … 0.05: standard deviation, on each axis, of where the tool is taken to be.
+  bool operator==(const Perturbation&) const = default;
+};
+
 struct PhysicsOptions {
-  std::uint64_t seed = 1;  ///< Of the blocks' yaw, and of where in its cell a start lies.
+  std::uint64_t seed = 1;  ///< Of the blocks' yaw, of where in its cell a start lies, and of what is perturbed.
   /// What the model was learned from. In C the tool carries `block`, which a scripted expert has taken, and a rollout
   /// that loses it has ended.
   demonstration::Segment segment = demonstration::Segment::kA;
   int block = 0;  ///< 0 … 5, likewise `goal`; of C.
   int goal = 0;
+  Perturbation perturbed;
   bool continuous = false;  ///< The start is anywhere in its cell, evenly; else its middle.
   double time_limit_s = 60.0;
   int threads = 2;  ///< 1 … 64; the result does not depend on it.
 };
+/// Whether rollouts of one are those of the other.
+bool same_runs(const PhysicsOptions& a, const PhysicsOptions& b);
 
 enum class PhysicsEnd : std::uint8_t { kArrives, kLoops, kDeadEnd, kOutsideSafeSet, kOutOfReach, kTimeUp, kDrops };
 constexpr int kPhysicsEnds = 7;
@@ -58,11 +71,12 @@ int finished(const PhysicsRollouts& rollouts);
 Status run_physics(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                    const PhysicsOptions& options, PhysicsRollouts& rollouts, Progress& progress);
 
-/// A header and one row for each start that was run, in their order, each with the hash of the model and the seed.
+/// A header and one row for each start that was run, in their order, each with the hash of the model and what else they
+/// depend on.
 std::string physics_csv(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                         const PhysicsOptions& options, const PhysicsRollouts& rollouts);
 /// What such a file holds of these starts. Errors: kCorrupt, naming the line; kInvalidArgument if it is of another
-/// model, seed or kind of start.
+/// model or other options.
 Result<PhysicsRollouts> parse_physics_csv(std::string_view csv, const learning::Model& model,
                                           const std::vector<spatial::CellIndex>& starts, const PhysicsOptions& options);
 

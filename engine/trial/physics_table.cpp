@@ -13,8 +13,9 @@ namespace {
 using spatial::CellIndex;
 
 constexpr std::string_view kHeader =
-    "i,j,k,end,steps,duration_s,length_m,pushed_m,state_hash,model_hash,seed,continuous";
-constexpr std::size_t kFields = 12;
+    "i,j,k,end,steps,duration_s,length_m,pushed_m,state_hash,model_hash,seed,continuous,segment,block,goal,epsilon,"
+    "delay_s,noise_m,time_limit_s";
+constexpr std::size_t kFields = 19;
 
 std::vector<std::string_view> pieces(std::string_view text, char separator) {
   std::vector<std::string_view> found;
@@ -45,7 +46,10 @@ std::optional<PhysicsEnd> end_from(std::string_view text) {
 
 /// What a file says of whose rollouts these are.
 std::string origin(const learning::Model& model, const PhysicsOptions& options) {
-  return fmt::format("{:016x},{},{:d}", model.hash(), options.seed, options.continuous);
+  const Perturbation& how = options.perturbed;
+  return fmt::format("{:016x},{},{:d},{},{},{},{},{},{},{}", model.hash(), options.seed, options.continuous,
+                     demonstration::letter(options.segment), options.block, options.goal, how.epsilon, how.delay_s,
+                     how.noise_m, options.time_limit_s);
 }
 
 }  // namespace
@@ -86,7 +90,7 @@ Result<PhysicsRollouts> parse_physics_csv(std::string_view csv, const learning::
     }
     if (!lines[n].ends_with("," + whose)) {
       return fail(ErrorCode::kInvalidArgument,
-                  fmt::format("line {} is of another model, seed or kind of start", n + 1));
+                  fmt::format("line {} is of another model, seed, block or other options", n + 1));
     }
     r.end = *end;
     by_cell[model.grid.index(cell).value] = r;

@@ -9,6 +9,7 @@
 #include "engine/core/result.h"
 #include "engine/learning/field.h"
 #include "engine/learning/field_mask.h"
+#include "engine/learning/slab.h"
 #include "engine/plot/colouring.h"
 #include "engine/plot/opacity_curve.h"
 #include "engine/stage/glyphs.h"
@@ -21,8 +22,9 @@ struct FieldSettings {
   bool visible = true;
   learning::Layer layer = learning::Layer::kReward;
   learning::FieldMask mask = learning::FieldMask::kNone;
-  std::array<int, 3> slices{-1, -1, -1};  ///< −1: none.
-  std::array<int, 3> slabs{1, 1, 1};      ///< Cells that each slice is thick, at least 1: the largest value is shown.
+  std::array<int, 3> slices{-1, -1, -1};                    ///< −1: none.
+  std::array<int, 3> slabs{1, 1, 1};                        ///< Cells that each slice is thick, at least 1.
+  learning::Through through = learning::Through::kLargest;  ///< What is shown of a thick slice.
   bool voxels = false;
   double voxel_threshold = 0.9;  ///< Position on the scale, 0 … 1, from which on a voxel is drawn.
   bool iso_surface = false;
@@ -59,6 +61,7 @@ struct FieldFileLook {
   int width_px = 1000;        ///< Without a preset.
   std::string preset;         ///< As `figure::print_from`; empty: for a screen.
   std::optional<double> dpi;  ///< Of a picture: what it says of itself and, with a preset, its pixels.
+  bool transparent = false;   ///< Without the white ground.
   bool operator==(const FieldFileLook&) const = default;
 };
 

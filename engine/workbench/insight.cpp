@@ -11,8 +11,10 @@
 namespace trocar::workbench {
 namespace {
 
-std::vector<spatial::CellIndex> all_cells(const spatial::Grid& grid) {
-  std::vector<spatial::CellIndex> cells(static_cast<std::size_t>(grid.cell_count()));
+using Cells = std::vector<spatial::CellIndex>;
+
+Cells all_cells(const spatial::Grid& grid) {
+  Cells cells(static_cast<std::size_t>(grid.cell_count()));
   for (int i = 0; i < grid.cell_count(); ++i) cells[static_cast<std::size_t>(i)] = {i};
   return cells;
 }
@@ -56,6 +58,17 @@ int actions_apart(const learning::Model& a, const learning::Model& b) {
   return apart;
 }
 
+/// Of all starts, or, to be `brief`, of those that are listed.
+std::shared_ptr<const learning::RolloutSpread> spread_of(const learning::Model& model,
+                                                         const std::vector<std::uint8_t>& policy, const Cells& starts,
+                                                         const std::vector<learning::Rollout>& listed, bool brief,
+                                                         const std::vector<double>& clearance_m) {
+  Progress never_cancelled;
+  return std::make_shared<const learning::RolloutSpread>(
+      brief ? learning::spread_of_rollouts(model, listed, clearance_m)
+            : learning::spread_from(model, policy, starts, clearance_m, never_cancelled).value());
+}
+
 std::shared_ptr<const ModelEntry> with_model(const ModelEntry& entry, learning::Model model) {
   auto made = std::make_shared<ModelEntry>(entry);
   made->model = std::make_shared<const learning::Model>(std::move(model));
@@ -72,12 +85,10 @@ learning::Field field_of(const learning::Model& model, learning::Layer layer) {
 
 std::vector<learning::Rollout> sample_rollouts(const learning::Model& model, const std::vector<std::uint8_t>& policy,
                                                const std::vector<spatial::CellIndex>& starts, int count) {
-  const std::size_t drawn = std::min(starts.size(), static_cast<std::size_t>(std::max(0, count)));
+  const Cells drawn = learning::evenly(starts, static_cast<std::size_t>(std::max(0, count)));
   std::vector<learning::Rollout> rollouts;
-  rollouts.reserve(drawn);
-  for (std::size_t i = 0; i < drawn; ++i) {
-    rollouts.push_back(learning::rollout(model, policy, starts[i * starts.size() / drawn]));
-  }
+  rollouts.reserve(drawn.size());
+  for (const spatial::CellIndex start : drawn) rollouts.push_back(learning::rollout(model, policy, start));
   return rollouts;
 }
 
@@ -142,6 +153,7 @@ void InsightMaker::add_second(const InsightRequest& request, ModelInsight& insig
     second.ghosts.push_back(learning::rollout(b, *second.policy, ghost.start));
   }
   second.paired = learning::compare(second.comparison->basin_a, second.comparison->basin_b, insight.starts);
+  second.ends = learning::outcome_table(second.comparison->basin_a, second.comparison->basin_b, insight.starts);
   if (!second_listed_.rollouts || second_listed_.of != request.second || second_listed_.starts != insight.starts ||
       second_listed_.brief != listed_.brief) {
     second_listed_.of = request.second;
@@ -150,8 +162,11 @@ void InsightMaker::add_second(const InsightRequest& request, ModelInsight& insig
     const int count = static_cast<int>(insight.listed->size());
     second_listed_.rollouts = std::make_shared<const std::vector<learning::Rollout>>(
         sample_rollouts(b, *second.policy, insight.starts, count));
+    second_listed_.spread =
+        spread_of(b, *second.policy, insight.starts, *second_listed_.rollouts, listed_.brief, *insight.clearance_m);
   }
   second.listed = second_listed_.rollouts;
+  second.spread = second_listed_.spread;
   if (insight.selected) {
     second.selected = learning::rollout(b, *second.policy, insight.selected->start);
     second.parts_at = learning::first_divergence(insight.selected->cells, second.selected->cells);
@@ -172,11 +187,11 @@ void InsightMaker::add_rollouts(const InsightRequest& request, ModelInsight& ins
     listed_.brief = brief;
     listed_.rollouts = std::make_shared<const std::vector<learning::Rollout>>(
         brief ? insight.ghosts : sample_rollouts(model, *insight.policy, insight.starts, kMostListed));
-    listed_.band = learning::deviation_band(model, *listed_.rollouts);
     listed_.clearance_m = std::make_shared<const std::vector<double>>(peg_board::clearances_m(model.grid));
+    listed_.spread = spread_of(model, *insight.policy, insight.starts, *listed_.rollouts, brief, *listed_.clearance_m);
   }
   insight.listed = listed_.rollouts;
-  insight.band = listed_.band;
+  insight.spread = listed_.spread;
   insight.clearance_m = listed_.clearance_m;
   const auto& selected = request.rollouts.selected;
   if (!selected || selected->value < 0 || selected->value >= model.grid.cell_count()) return;

@@ -12,6 +12,7 @@
 #include "engine/learning/field.h"
 #include "engine/learning/model_comparison.h"
 #include "engine/learning/rollout.h"
+#include "engine/learning/rollout_spread.h"
 #include "engine/learning/rollout_table.h"
 #include "engine/workbench/command.h"
 #include "engine/workbench/project.h"
@@ -38,10 +39,12 @@ struct SecondModel {
   std::shared_ptr<const learning::ModelComparison> comparison;  ///< A: the first, B: this one.
   std::shared_ptr<const learning::Field> outcomes;              ///< Of each start, with the first and with this one.
   learning::PairedComparison paired;                            ///< Over the chosen starts.
+  learning::OutcomeTable ends{};                                ///< Likewise: how each ends with both.
   /// From the starts of `ModelInsight::listed`, in their order.
   std::shared_ptr<const std::vector<learning::Rollout>> listed;
-  std::optional<learning::Rollout> selected;  ///< From the selected start, with this one.
-  std::optional<int> parts_at;                ///< First step at which the two go different ways.
+  std::shared_ptr<const learning::RolloutSpread> spread;  ///< As the first one's, of this one.
+  std::optional<learning::Rollout> selected;              ///< From the selected start, with this one.
+  std::optional<int> parts_at;                            ///< First step at which the two go different ways.
 };
 
 /// How a model keeps up with a demonstration that is being edited.
@@ -75,7 +78,8 @@ struct ModelInsight {
   std::vector<learning::Rollout> ghosts;   ///< For `RolloutSettings`, evenly over the starts.
   /// Of the starts, evenly over them if there are more than `kMostListed`; while a demonstration is edited, the ghosts.
   std::shared_ptr<const std::vector<learning::Rollout>> listed;
-  learning::DeviationBand band;                            ///< Of `listed`.
+  /// Of all starts (see `learning::kMostFollowed`); while a demonstration is edited, of the ghosts.
+  std::shared_ptr<const learning::RolloutSpread> spread;
   std::shared_ptr<const std::vector<double>> clearance_m;  ///< Of each cell from pegs and board.
   std::optional<learning::Rollout> selected;               ///< Of `RolloutSettings::selected`.
   std::optional<learning::Explanation> why;                ///< If that one does not arrive.
@@ -119,10 +123,10 @@ class InsightMaker {
     std::vector<spatial::CellIndex> starts;
     bool brief = false;
     std::shared_ptr<const std::vector<learning::Rollout>> rollouts;
-    learning::DeviationBand band;
+    std::shared_ptr<const learning::RolloutSpread> spread;
     std::shared_ptr<const std::vector<double>> clearance_m;
   } listed_;
-  Listed second_listed_;  ///< Of the second model; without band and clearance.
+  Listed second_listed_;  ///< Of the second model; without clearance.
   struct Compared {
     std::shared_ptr<const ModelEntry> a;
     std::shared_ptr<const ModelEntry> b;

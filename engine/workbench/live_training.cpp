@@ -7,7 +7,14 @@ namespace trocar::workbench {
 
 bool TrainingFeed::take(std::vector<double>& curve) {
   const std::size_t before = curve.size();
-  while (const std::optional<double> mismatch = figures_.pop()) curve.push_back(*mismatch);
+  while (const std::optional<Figure> figure = figures_.pop()) {
+    const double from = curve.empty() ? figure->mismatch : curve.back();
+    const std::size_t missing = figure->epoch - std::min(curve.size(), figure->epoch);
+    for (std::size_t i = 1; i <= missing; ++i) {
+      curve.push_back(from + (figure->mismatch - from) * static_cast<double>(i) / static_cast<double>(missing + 1));
+    }
+    curve.push_back(figure->mismatch);
+  }
   return curve.size() != before;
 }
 

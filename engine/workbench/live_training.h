@@ -19,17 +19,22 @@ struct TrainingView {
   int epochs = 0;             ///< That it will take; 0: nobody knows, as it ends when it has converged.
 };
 
-/// The epochs of one training on their way between two threads. More than fit between two looks are left out: the curve
-/// of the model itself is whole.
+/// The epochs of one training on their way between two threads. Of more than fit between two looks a straight line is
+/// made: each epoch keeps its place, and the curve of the model itself is whole.
 class TrainingFeed {
  public:
   /// Threads: the job's.
-  void tell(double mismatch) { static_cast<void>(figures_.push(std::move(mismatch))); }
+  void tell(double mismatch) { static_cast<void>(figures_.push({told_++, mismatch})); }
   /// Moves what has arrived to the end of `curve`; true if anything had. Threads: the main one.
   bool take(std::vector<double>& curve);
 
  private:
-  SpscQueue<double> figures_{20'000};
+  struct Figure {
+    std::size_t epoch = 0;
+    double mismatch = 0.0;
+  };
+  std::size_t told_ = 0;  ///< Of the job's thread.
+  SpscQueue<Figure> figures_{20'000};
 };
 
 /// Those that wait or run, in the order in which they were asked for. Threads: the main one.

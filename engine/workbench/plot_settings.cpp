@@ -9,7 +9,7 @@ namespace trocar::workbench {
 namespace {
 
 constexpr std::array<std::string_view, kPlotKinds> kPlotNames{"arrivals",  "band", "boxes", "axes",
-                                                              "multiples", "map",  "curve"};
+                                                              "multiples", "map",  "curve", "report"};
 
 bool read_whole_number(std::string_view text, double& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -25,7 +25,7 @@ std::string_view to_string(PlotKind kind) {
 Result<PlotKind> rollout_plot_from(std::string_view text) {
   for (std::size_t i = 0; i < kPlotNames.size(); ++i) {
     const auto kind = static_cast<PlotKind>(i);
-    if (kPlotNames[i] == text && kind != PlotKind::kCurve) return kind;
+    if (kPlotNames[i] == text && kind != PlotKind::kCurve && kind != PlotKind::kReport) return kind;
   }
   return fail(ErrorCode::kInvalidArgument,
               fmt::format("\"{}\" is no plot of rollouts; use arrivals, band, boxes, axes, multiples or map", text));

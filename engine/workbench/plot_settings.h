@@ -21,10 +21,11 @@ enum class PlotKind : std::uint8_t {
   kMultiples,  ///< Small pictures of their ways.
   kMap,        ///< How every start ends, cell by cell.
   kCurve,      ///< How the mismatch of visits fell in training; of no starts.
+  kReport,     ///< A page of outcomes, measures and figures.
 };
-constexpr int kPlotKinds = 7;
+constexpr int kPlotKinds = 8;
 std::string_view to_string(PlotKind kind);  ///< "arrivals"
-/// A plot of rollouts: all but `kCurve`. Errors: kInvalidArgument with the names that there are.
+/// A plot of rollouts: all but `kCurve` and `kReport`. Errors: kInvalidArgument with the names that there are.
 Result<PlotKind> rollout_plot_from(std::string_view text);
 
 struct PlotSettings {
@@ -39,6 +40,7 @@ struct PlotSettings {
   int width_px = 1000;        ///< Without a preset.
   std::string preset;         ///< As `figure::print_from`; empty: for a screen.
   std::optional<double> dpi;  ///< Of a picture: what it says of itself and, with a preset, its pixels.
+  bool transparent = false;   ///< Without the white ground.
   bool operator==(const PlotSettings&) const = default;
 };
 

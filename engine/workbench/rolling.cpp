@@ -65,13 +65,11 @@ Result<std::string> rollout_rows(const learning::Model& model, const std::vector
   return learning::rollout_csv(model, learning::greedy_policy(model), starts, {clearance_m, monte_carlo}, progress);
 }
 
-Result<std::string> band_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts) {
-  const std::vector<std::uint8_t> policy = learning::greedy_policy(model);
-  std::vector<learning::Rollout> rollouts;
-  rollouts.reserve(starts.size());
-  for (const spatial::CellIndex start : starts) rollouts.push_back(learning::rollout(model, policy, start));
-  const learning::DeviationBand band = learning::deviation_band(model, rollouts);
-  if (!band.count.empty()) return learning::band_csv(band);
+Result<std::string> band_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
+                              Progress& progress) {
+  TROCAR_ASSIGN_OR_RETURN(const learning::RolloutSpread spread,
+                          learning::spread_from(model, learning::greedy_policy(model), starts, {}, progress));
+  if (!spread.band.count.empty()) return learning::band_csv(spread.band);
   return fail(ErrorCode::kInvalidArgument,
               fmt::format("a band needs {} starts, and there are {}", learning::kLeastInBand, starts.size()));
 }

@@ -11,6 +11,7 @@
 #include "engine/core/result.h"
 #include "engine/learning/field.h"
 #include "engine/learning/monte_carlo.h"
+#include "engine/learning/rollout_spread.h"
 #include "engine/learning/rollout_table.h"
 #include "engine/statistics/proportion.h"
 #include "engine/trial/physics_rollout.h"
@@ -65,8 +66,9 @@ std::map<std::string, std::string> about_rollouts(const ModelEntry& entry, const
 /// the same starts, or null. Errors: kCancelled.
 Result<std::string> rollout_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                                  const learning::MonteCarlo* monte_carlo, Progress& progress);
-/// The deviations of all of them from the expert, step by step, as window and command line write them.
-/// Errors: kInvalidArgument where fewer than `learning::kLeastInBand` begin.
-Result<std::string> band_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts);
+/// The deviations from the expert, step by step, of all starts (see `learning::kMostFollowed`), as window and command
+/// line write them. Errors: kInvalidArgument where fewer than `learning::kLeastInBand` begin; kCancelled.
+Result<std::string> band_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
+                              Progress& progress);
 
 }  // namespace trocar::workbench

@@ -118,6 +118,7 @@ stage::FieldLayer field_layer(std::shared_ptr<const learning::Field> field, cons
   layer.colouring = colouring_of(*field, settings);
   layer.slices = settings.slices;
   layer.slabs = settings.slabs;
+  layer.through = settings.through;
   layer.voxels = settings.voxels;
   layer.voxel_threshold = settings.voxel_threshold;
   if (settings.iso_surface) layer.iso_level = settings.iso_level;

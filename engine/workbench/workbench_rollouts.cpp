@@ -10,6 +10,7 @@
 #include "engine/exchange/rollout_file.h"
 #include "engine/learning/start_file.h"
 #include "engine/workbench/jobs/plot_job.h"
+#include "engine/workbench/jobs/report_job.h"
 #include "engine/workbench/workbench_impl.h"
 
 namespace trocar::workbench {
@@ -56,8 +57,7 @@ void Workbench::Impl::on(const RunPhysics& command) {
     options.threads = cores();
     trial::PhysicsRollouts rollouts(cells.size());
     const bool goes_on = kept && kept->entry->model->hash() == entry->model->hash() && kept->cells == cells &&
-                         kept->options.seed == options.seed && kept->options.continuous == options.continuous &&
-                         kept->options.time_limit_s == options.time_limit_s;
+                         trial::same_runs(kept->options, options);
     if (goes_on) rollouts = kept->rollouts;
     TROCAR_RETURN_IF_ERROR(trial::run_physics(*entry->model, cells, options, rollouts, progress));
     const std::size_t all = cells.size();
@@ -89,7 +89,7 @@ void Workbench::Impl::on(const ExportRollouts& command) {
       return JobResult{fmt::format("{} rollouts of the simulator written", simulated->finished), {}};
     }
     if (command.rows == RolloutRows::kBand) {
-      TROCAR_ASSIGN_OR_RETURN(const std::string rows, band_rows(*entry->model, cells));
+      TROCAR_ASSIGN_OR_RETURN(const std::string rows, band_rows(*entry->model, cells, progress));
       TROCAR_RETURN_IF_ERROR(write_file(command.path, rows));
       return JobResult{fmt::format("the band of {} rollouts written", cells.size()), {}};
     }
@@ -122,6 +122,10 @@ void Workbench::Impl::on(const ExportPlot& command) {
   }
   if (wanted.models.empty()) return log(Severity::kError, "no model is selected");
   const auto work = [request = std::move(wanted)](Progress& progress) -> Result<JobResult> {
+    if (request.settings.kind == PlotKind::kReport) {
+      TROCAR_RETURN_IF_ERROR(write_report({request.models, request.starts, request.path}, progress));
+      return JobResult{"the report is written", {}};
+    }
     TROCAR_ASSIGN_OR_RETURN(const PlotReport report, export_plot(request, progress));
     if (report.starts == 0) return JobResult{"written", {}};
     return JobResult{fmt::format("written, from {} starts", report.starts), {}};

@@ -5,6 +5,7 @@ import csv
 import json
 import os
 import re
+import statistics
 import struct
 import sys
 import unittest
@@ -31,6 +32,19 @@ def png_size(path):
     at = data.find(b"pHYs")
     dpi = struct.unpack(">I", data[at + 4:at + 8])[0] * 0.0254 if at > 0 else None
     return width, height, dpi
+
+
+def corner_alpha(path):
+    """The alpha of a picture's first pixel, which no filter of its row changes."""
+    data = path.read_bytes()
+    colour_type = data[25]
+    at, packed = 8, b""
+    while at < len(data):
+        length, = struct.unpack(">I", data[at:at + 4])
+        if data[at + 4:at + 8] == b"IDAT":
+            packed += data[at + 8:at + 8 + length]
+        at += 12 + length
+    return zlib.decompress(packed)[4] if colour_type == 6 else 255
 
 
 def letter_sizes(pdf):
@@ -132,6 +146,20 @@ class Rollouts(CommandLineTest):
                     self.assertEqual(width, round(width_mm / 25.4 * 150))
                     self.assertAlmostEqual(said, 150, delta=0.02)
 
+    def test_a_figure_without_ground_is_clear_where_it_was_white(self):
+        for words in (["field", "export", self.project, "A exact"], ["demo", "plot", self.project, "Expert"],
+                      ["model", "curve", self.project, "paper"],
+                      ["rollout", "plot", self.project, "paper", "--kind", "boxes"]):
+            with self.subTest(words=words[:2]):
+                self.answer(*words, "--out", self.folder / "white.svg")
+                self.answer(*words, "--transparent", "--out", self.folder / "clear.svg")
+                white, clear = ((self.folder / name).read_text().replace(" ", "") for name in ("white.svg", "clear.svg"))
+                self.assertGreater(white.count("100%,100%,100%"), clear.count("100%,100%,100%"))
+                self.answer(*words, "--transparent", "--out", self.folder / "clear.png")
+                self.assertEqual(corner_alpha(self.folder / "clear.png"), 0)
+                self.answer(*words, "--out", self.folder / "white.png")
+                self.assertEqual(corner_alpha(self.folder / "white.png"), 255)
+
     def test_the_same_command_writes_the_same_bytes(self):
         for kind in ("boxes", "axes", "multiples"):
             self.plot("paper", kind=kind, out="a.pdf")
@@ -151,10 +179,74 @@ class Rollouts(CommandLineTest):
         with open(self.folder / "b.csv", newline="") as file:
             rows = list(csv.DictReader(file))
         by_line = {name: [float(row["value"]) for row in rows if row["line"] == name]
-                   for name in ("paper", "paper low", "paper high")}
+                   for name in ("paper p05", "paper p25", "paper", "paper p75", "paper p95")}
+        by_line["paper"] = [float(row["value"]) for row in rows
+                            if row["line"] == "paper" and row["curve"] == "Deviation from the expert"]
         self.assertTrue(by_line["paper"])
-        for low, middle, high in zip(by_line["paper low"], by_line["paper"], by_line["paper high"]):
-            self.assertTrue(low <= middle <= high)
+        for values in zip(*by_line.values()):
+            self.assertEqual(list(values), sorted(values))
+        # The same as the run's, and so is how many go on.
+        self.answer("rollout", "run", self.project, "paper", "--starts", "around:2", "--band", self.folder / "run.csv")
+        with open(self.folder / "run.csv", newline="") as file:
+            run = list(csv.DictReader(file))
+        going_on = [float(row["value"]) for row in rows if row["curve"] == "Still going on"]
+        self.assertEqual(len(run), len(going_on))
+        for row, share, p05, p25, median, p75, p95 in zip(run, going_on, *by_line.values()):
+            for name, value in (("share", share / 100), ("p05_mm", p05), ("p25_mm", p25), ("median_mm", median),
+                                ("p75_mm", p75), ("p95_mm", p95)):
+                self.assertAlmostEqual(float(row[name]), value, delta=1e-5 * max(1.0, abs(value)))
+
+    def test_the_numbers_of_boxes_are_those_of_all_rows_on_a_fine_lattice_too(self):
+        self.answer("model", "train", self.project, "Expert", "--method", "exact", "--grid", "44", "--name", "fine")
+        self.answer("rollout", "run", self.project, "fine", "--starts", "all", "--out", self.folder / "all.csv",
+                    "--band", self.folder / "run.csv")
+        with open(self.folder / "all.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 44**3)
+        self.plot("fine", "--starts", "all", kind="boxes", out="boxes.csv")
+        with open(self.folder / "boxes.csv", newline="") as file:
+            boxes = list(csv.DictReader(file))
+        columns = {"steps": "steps", "length": "length_mm", "straightness": "straightness",
+                   "max_deviation": "max_deviation_mm", "mean_deviation": "mean_deviation_mm", "frechet": "frechet_mm",
+                   "hausdorff": "hausdorff_mm", "dtw": "dtw_mm", "reward": "reward_sum", "outside": "outside_steps",
+                   "divergence": "divergence_step", "clearance": "clearance_mm"}
+        self.assertEqual({box["measure"] for box in boxes}, set(columns))
+        for box in boxes:
+            values = sorted(float(row[columns[box["measure"]]]) for row in rows if row["end"] == box["end"] and
+                            not (box["measure"] == "divergence" and float(row["divergence_step"]) < 0))
+            self.assertEqual(int(box["n"]), len(values))
+            for name, value in (("least", values[0]), ("median", statistics.median(values)), ("most", values[-1])):
+                self.assertAlmostEqual(float(box[name]), value, delta=2e-5 * max(1.0, abs(value)))
+        self.plot("fine", "--starts", "all", kind="band", out="band.csv")
+        with open(self.folder / "band.csv", newline="") as file:
+            drawn = [float(row["value"]) for row in csv.DictReader(file)
+                     if row["curve"] == "Deviation from the expert" and row["line"] == "fine"]
+        with open(self.folder / "run.csv", newline="") as file:
+            run = [float(row["median_mm"]) for row in csv.DictReader(file)]
+        self.assertEqual(len(drawn), len(run))
+        for one, other in zip(drawn, run):
+            self.assertAlmostEqual(one, other, delta=1e-5 * max(1.0, other))
+
+    def test_a_report_is_one_page_with_the_numbers_of_the_command_line_and_all_figures_in_it(self):
+        out = self.folder / "r.html"
+        self.answer("rollout", "report", self.project, "paper", "A exact", "--starts", "around:2", "--out", out)
+        page = out.read_text()
+        self.assertEqual(page.count("<svg"), 4)
+        root = ElementTree.fromstring(re.sub(r"<!doctype html>|<meta[^>]*>", "", page))
+        ids = [one.get("id") for one in root.iter() if one.get("id")]
+        self.assertEqual(len(ids), len(set(ids)))
+        told = self.answer("rollout", "run", self.project, "paper", "--starts", "around:2")
+        self.assertIn(f"<td>A: paper</td><td>{told['count']}</td><td>{told['arrived']}</td>", page)
+        pair = self.answer("rollout", "compare", self.project, "paper", "A exact", "--starts", "around:2")
+        self.assertIn(f"only A arrives {pair['wins_a']} times, only B {pair['wins_b']} times", page)
+        self.assertNotIn("http://", re.sub(r"http://www.w3.org/[^\"]*", "", page))  # nothing is fetched
+        self.answer("rollout", "report", self.project, "paper", "A exact", "--starts", "around:2",
+                    "--out", self.folder / "again.html")
+        self.assertEqual(page, (self.folder / "again.html").read_text())
+        # Of too few starts for a band it says so, and the rest is there.
+        self.answer("rollout", "report", self.project, "paper", "--starts", "cells:1", "--out", out)
+        self.assertIn("Not drawn: a band needs", out.read_text())
+        self.refused("rollout", "report", self.project, "paper", "--out", self.folder / "r.pdf", code=USAGE)
 
     def test_what_is_kept_or_chosen_changes_the_figure(self):
         def drawn(*arguments, kind):
@@ -175,6 +267,7 @@ class Rollouts(CommandLineTest):
                                          ([], "axes", "a.csv", "drawn as .png, .svg or .pdf"),
                                          (["--dpi", "300"], "axes", "a.pdf", "--dpi is of a .png"),
                                          (["--preset", "poster"], "axes", "a.pdf", "no figure preset"),
+                                         (["--keep", "steps:9000..9001"], "multiples", "a.pdf", "there is no picture"),
                                          (["--starts", "around"], "axes", "a.pdf", "file:F.csv")):
             with self.subTest(kind=kind, extra=extra):
                 self.refused("rollout", "plot", self.project, "paper", *extra, "--kind", kind, "--out", self.folder / out,

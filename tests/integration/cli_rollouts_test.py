@@ -22,7 +22,7 @@ class RolloutsTest(CommandLineTest):
     def test_every_form_of_starts(self):
         project = self.recorded_project()
         for starts, count in (("all", 22**3), ("around:1", 27), ("box:3-4,5,6-8", 6), ("face:z1", 22**2),
-                              ("sphere:11,11,11,1", 7), ("gaussian:5,40,1", 40), ("cells:0-4,9", 6)):
+                              ("sphere:11,11,11,1", 7), ("gaussian:5,40,1", 40), ("latin:30,2", 30), ("latin:30,2,1", 30), ("cells:0-4,9", 6)):
             out = self.folder / "out.csv"
             answer = self.answer("rollout", "run", project, "A exact", "--starts", starts, "--out", out)
             self.assertEqual(answer["count"], count, starts)
@@ -114,6 +114,11 @@ class RolloutsTest(CommandLineTest):
         self.assertEqual(set(parting["q_a"]), set(parting["q_b"]))
         self.assertIsNone(self.answer("rollout", "diverge", project, "paper", "paper", cell)["step"])
         self.assertIn("lost in", trocar("rollout", "why", project, "paper", cell).stdout)
+        ends = self.answer("rollout", "compare", project, "paper", "A exact", "--starts", "around:3")["ends"]
+        rows = rows_of(out)
+        for end in {row["end"] for row in rows}:
+            self.assertEqual(sum(pair["starts"] for pair in ends if pair["a"] == end),
+                             sum(1 for row in rows if row["end"] == end))
         for wrong in ("1,2", "a,b,c", "1,2,3,4", "22,0,0", "-1,0,0"):
             self.refused("rollout", "why", project, "paper", wrong, code=USAGE)
 

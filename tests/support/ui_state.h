@@ -77,8 +77,9 @@ inline workbench::ModelInsight made_insight(std::shared_ptr<const workbench::Mod
   insight.starts = learning::starts_around(model, 3);
   insight.chosen = insight.around[2];
   insight.listed = std::make_shared<const std::vector<learning::Rollout>>(insight.ghosts);
-  insight.band = learning::deviation_band(model, *insight.listed);
   insight.clearance_m = std::make_shared<const std::vector<double>>(peg_board::clearances_m(model.grid));
+  insight.spread = std::make_shared<const learning::RolloutSpread>(
+      learning::spread_of_rollouts(model, *insight.listed, *insight.clearance_m));
   insight.epochs = insight.epoch = static_cast<int>(model.curve.size());
   return insight;
 }

@@ -187,6 +187,7 @@ workbench::ExportField FieldForm::wanted(const WorkbenchState& state) const {
   }
   field.look.vision = state.field.vision;
   field.look.preset = paper_.preset();
+  field.look.transparent = paper_.transparent;
   if (file == 0 && paper_.paper > 0) field.look.dpi = static_cast<double>(paper_.dpi);
   return field;
 }

@@ -38,6 +38,9 @@ void draw_paper(Ui& ui, PaperChoice& choice, bool drawn, bool picture) {
                                                     : "";
   form_label(ui, "Pixels an inch");
   number_field(ui, "Pixels an inch", choice.dpi, 72, 2400, {.help = "From 72 to 2400", .reason = no_pixels});
+  form_label(ui, "Ground");
+  checkbox(ui, "Transparent", choice.transparent,
+           {.help = "Without the white ground, to be laid over another", .reason = numbers});
 }
 
 std::string reason_against_path(const std::string& path, const WorkbenchState& state) {

@@ -19,6 +19,7 @@ int place_of_ending(const std::string& path, std::span<const std::string_view> e
 struct PaperChoice {
   int paper = 0;  ///< 0: for a screen; else a preset.
   std::int64_t dpi = 300;
+  bool transparent = false;
 
   /// "", "column" or "page".
   std::string preset() const;

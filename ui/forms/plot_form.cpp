@@ -20,21 +20,19 @@ using workbench::PlotKind;
 constexpr std::array<std::string_view, 4> kPlotEndings{".png", ".svg", ".pdf", ".csv"};
 constexpr int kDrawnPlots = 3;
 
+/// The ending that suits the kind: of a report its own, and back to a picture from there.
+std::string with_ending_of(PlotKind kind, std::filesystem::path path) {
+  const bool page = path.extension() == ".html";
+  if (kind == PlotKind::kReport) return path.replace_extension(".html").string();
+  return page ? path.replace_extension(".png").string() : path.string();
+}
+
 const std::vector<std::string>& plot_names() {
   static const std::vector<std::string> kNames{"Arrived by step",   "Deviation from the expert",
                                                "Boxes of measures", "All measures",
                                                "Small pictures",    "Success map",
-                                               "Learning curve"};
+                                               "Learning curve",    "Report, one page"};
   return kNames;
-}
-
-/// The measures that boxes are drawn of.
-std::vector<RolloutMeasure> boxed_measures() {
-  std::vector<RolloutMeasure> measures;
-  for (int i = 0; i < learning::kRolloutMeasures; ++i) {
-    if (figure::has_boxes(static_cast<RolloutMeasure>(i))) measures.push_back(static_cast<RolloutMeasure>(i));
-  }
-  return measures;
 }
 
 bool has_curve(const std::shared_ptr<const workbench::ModelEntry>& entry) {
@@ -63,7 +61,8 @@ std::string subject_words(const WorkbenchState& state, PlotKind kind) {
 }  // namespace
 
 void PlotForm::prepare(const WorkbenchState& state) {
-  path_ = beside_project(state, fmt::format("-{}.png", workbench::to_string(settings_.kind)));
+  path_ = with_ending_of(settings_.kind,
+                         beside_project(state, fmt::format("-{}.png", workbench::to_string(settings_.kind))));
   one_slice_ = !settings_.slice.empty();
   slice_ = one_slice_ ? settings_.slice : "z=11";
   brushed_ = true;
@@ -78,18 +77,23 @@ void PlotForm::draw_kind(Ui& ui, const WorkbenchState& state) {
     settings_.kind = static_cast<PlotKind>(kind);
     path_ = beside_project(state, fmt::format("-{}{}", workbench::to_string(settings_.kind),
                                               std::filesystem::path(path_).extension().string()));
+    path_ = with_ending_of(settings_.kind, path_);
   }
   wrapped_text(ui, subject_words(state, settings_.kind), ui.theme().text_dim);
+  if (settings_.kind == PlotKind::kReport) {
+    wrapped_text(ui, "One page of HTML: outcomes, measures, figures and whose they are", ui.theme().text_dim);
+    return;
+  }
   int file = place_of_ending(path_, kPlotEndings);
   form_label(ui, "Kind of file");
-  if (segmented(ui, "Kind of file", file, kFiles, {.help = "Drawn; or the numbers of a curve or a map"})) {
+  if (segmented(ui, "Kind of file", file, kFiles, {.help = "Drawn; or the numbers of a curve, of boxes or of a map"})) {
     path_ = std::filesystem::path(path_).replace_extension(kPlotEndings[static_cast<std::size_t>(file)]).string();
   }
 }
 
 void PlotForm::draw_details(Ui& ui) {
   if (settings_.kind == PlotKind::kBoxes) {
-    static const std::vector<RolloutMeasure> kBoxed = boxed_measures();
+    static const std::vector<RolloutMeasure> kBoxed = learning::spread_measures();
     std::vector<std::string> names{"All"};
     int chosen = 0;
     for (std::size_t i = 0; i < kBoxed.size(); ++i) {
@@ -163,6 +167,7 @@ workbench::ExportPlot PlotForm::wanted() const {
   if (!sifted || !brushed_) plot.settings.kept.clear();
   plot.settings.slice = settings_.kind == PlotKind::kMap && one_slice_ ? slice_ : "";
   plot.settings.preset = drawn ? paper_.preset() : "";
+  plot.settings.transparent = drawn && paper_.transparent;
   if (file == 0 && paper_.paper > 0) plot.settings.dpi = static_cast<double>(paper_.dpi);
   return plot;
 }
@@ -171,7 +176,7 @@ Requests PlotForm::draw_content(Ui& ui, const WorkbenchState& state) {
   draw_kind(ui, state);
   draw_details(ui);
   const int file = place_of_ending(path_, kPlotEndings);
-  draw_paper(ui, paper_, file >= 0 && file < kDrawnPlots, file == 0);
+  if (settings_.kind != PlotKind::kReport) draw_paper(ui, paper_, file >= 0 && file < kDrawnPlots, file == 0);
   form_label(ui, "File");
   text_field(ui, "File", path_, "figure.png", {.help = "Its ending says what kind it is"});
   ImGui::Dummy({0.0F, ui.px(6)});

@@ -23,8 +23,11 @@ std::string change_of(double a, double b) {
   return fmt::format("{}{:.1f} %", percent < 0.0 ? "\u2212" : "+", std::abs(percent));
 }
 
-Row counts(std::string name, int a, int b) {
-  return {std::move(name), count(a), count(b), change_of(a, b)};
+Row counts(std::string name, double a, double b) {
+  const auto words = [](double cells) {
+    return std::isfinite(cells) ? count(static_cast<std::int64_t>(cells)) : std::string("\u2013");
+  };
+  return {std::move(name), words(a), words(b), change_of(a, b)};
 }
 
 Row numbers(std::string name, double a, double b) {
@@ -33,15 +36,18 @@ Row numbers(std::string name, double a, double b) {
 
 Row shares(std::string name, int a, int of_a, int b, int of_b) {
   const double points = of_a == 0 || of_b == 0 ? NAN : 100.0 * b / of_b - 100.0 * a / of_a;
-  const std::string change = std::isfinite(points)
-                                 ? fmt::format("{}{:.1f} points", points < 0.0 ? "\u2212" : "+", std::abs(points))
-                                 : "\u2013";
+  const std::string change = std::isfinite(points) ? statistics::points_text(0.01 * points, 1) + " points" : "\u2013";
   return {std::move(name), percent(a, of_a), percent(b, of_b), change};
 }
 
 /// A parameter of methods that draw at random.
 std::string drawn(const learning::Model& model, double value) {
-  return model.options.method == learning::Method::kExact ? "\u2013" : fmt::format("{:g}", value);
+  return learning::is_sampled(model.options.method) ? fmt::format("{:g}", value) : "\u2013";
+}
+
+/// NaN for a method that tries no actions.
+double tried(const learning::Model& model, int cells) {
+  return learning::is_sampled(model.options.method) ? cells : NAN;
 }
 
 std::vector<Row> rows_of(const workbench::ModelInsight& insight) {
@@ -53,9 +59,12 @@ std::vector<Row> rows_of(const workbench::ModelInsight& insight) {
                         {"ε", drawn(model_a, model_a.options.epsilon), drawn(model_b, model_b.options.epsilon), ""},
                         {"Seed", drawn(model_a, static_cast<double>(model_a.options.seed)),
                          drawn(model_b, static_cast<double>(model_b.options.seed)), ""},
-                        counts("Fully explored", c.a.exploration.fully_explored, c.b.exploration.fully_explored),
-                        counts("Partly explored", c.a.exploration.partly_explored, c.b.exploration.partly_explored),
-                        counts("Not explored", c.a.exploration.fully_unexplored, c.b.exploration.fully_unexplored),
+                        counts("Fully explored", tried(model_a, c.a.exploration.fully_explored),
+                               tried(model_b, c.b.exploration.fully_explored)),
+                        counts("Partly explored", tried(model_a, c.a.exploration.partly_explored),
+                               tried(model_b, c.b.exploration.partly_explored)),
+                        counts("Not explored", tried(model_a, c.a.exploration.fully_unexplored),
+                               tried(model_b, c.b.exploration.fully_unexplored)),
                         numbers("Mean reward θ", c.a.mean_reward, c.b.mean_reward),
                         numbers("Least reward θ", c.a.least_reward, c.b.least_reward),
                         numbers("Mean margin", c.a.mean_margin, c.b.mean_margin),

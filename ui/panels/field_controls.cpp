@@ -17,9 +17,9 @@ using workbench::Glyphs;
 using workbench::SetField;
 
 // Those that suit numbers; classes have their own colours.
-constexpr std::array<plot::ColourMap, 5> kMaps{plot::ColourMap::kViridis, plot::ColourMap::kCividis,
-                                               plot::ColourMap::kMagma, plot::ColourMap::kGrey,
-                                               plot::ColourMap::kDiverging};
+constexpr std::array<plot::ColourMap, 6> kMaps{plot::ColourMap::kViridis, plot::ColourMap::kCividis,
+                                               plot::ColourMap::kMagma,   plot::ColourMap::kTurbo,
+                                               plot::ColourMap::kGrey,    plot::ColourMap::kDiverging};
 
 template <typename Kinds>
 std::vector<std::string> names_of(const Kinds& kinds) {
@@ -178,6 +178,12 @@ void draw_field_controls(Ui& ui, const WorkbenchState& state, const FieldShading
   flow(std::max(half, ui.px(150)), ui.px(14));
   slider_float(ui, "Opacity", settings.opacity, 0.05F, 1.0F, "%.2f opaque", {.help = "Of the field in the 3-D view"});
   ImGui::EndGroup();
+  if (settings.slabs != std::array{1, 1, 1}) {
+    form_label(ui, "Thick slices");
+    choose(ui, "Through", settings.through, learning::all_through(),
+           {.help = "What a slice of several cells shows: the largest value across, or the mean of those known",
+            .reason = shading.field().categorical ? "Classes have neither largest nor mean" : ""});
+  }
   draw_field_layers(ui, state, requests);
   form_label(ui, "Shown here");
   static const std::vector<std::string> kModes{"Slices", "Montage"};

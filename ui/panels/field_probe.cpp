@@ -27,7 +27,9 @@ std::string value_words(const learning::Field& field, double value) {
   return i < field.categories.size() ? field.categories[i] : number(value);
 }
 
-std::string explored_words(std::uint8_t tried, bool goal) {
+std::string explored_words(learning::Method method, std::uint8_t tried, bool goal) {
+  if (method == learning::Method::kImported) return "unknown";
+  if (!learning::is_sampled(method)) return "exact: nothing is tried";
   if (goal) return "the goal, where episodes end";
   if (tried == 0x3F) return "all 6 actions tried";
   return tried == 0 ? "no action tried" : fmt::format("{} of 6 actions tried", std::popcount(tried));
@@ -43,6 +45,7 @@ bool has_own_row(learning::Layer layer) {
 
 // The exact method keeps expectations, in thousandths.
 std::string visits_words(const learning::Model& model, std::size_t cell) {
+  if (!learning::knows_visits(model)) return "unknown";
   const std::uint32_t visits = model.visits[cell];
   if (model.options.method != learning::Method::kExact) return count(visits);
   return number(1e-3 * visits) + " expected";
@@ -91,7 +94,7 @@ std::vector<ProbeRow> rows_of(const WorkbenchState& state, const learning::Field
   rows.push_back({"Best action", std::string(action_words(best))});
   rows.push_back({"Margin", value_words(margin, margin.values[flat])});
   rows.push_back({field.layer == learning::Layer::kVisits ? field.title : "Visits", visits_words(model, flat)});
-  rows.push_back({"Explored", explored_words(model.tried[flat], cell == model.goal)});
+  rows.push_back({"Explored", explored_words(model.options.method, model.tried[flat], cell == model.goal)});
   return rows;
 }
 
@@ -140,8 +143,10 @@ std::string FieldProbe::csv(const WorkbenchState& state, const spatial::CellCoor
     for (int a = 0; a < spatial::kActionCount; ++a) {
       text += "," + plain_value(model, layer_of(a), cell);
     }
+    const bool sampled = learning::is_sampled(model.options.method);
     text += fmt::format(",{},{},{},{}\n", action_words(best_of(state, flat)), plain_number(margin_->values[flat]),
-                        model.visits[flat], std::popcount(model.tried[flat]));
+                        learning::knows_visits(model) ? std::to_string(model.visits[flat]) : "",
+                        sampled ? std::to_string(std::popcount(model.tried[flat])) : "");
   }
   return text;
 }

@@ -45,7 +45,7 @@ void FieldShading::update(std::shared_ptr<const learning::Field> field, const wo
 void FieldShading::begin_anew() {
   revision_ = ++last_revision;
   indices_.fill(-1);
-  montage_thickness_ = 0;
+  montage_slab_.reset();
 }
 
 void FieldShading::count_values() {
@@ -61,29 +61,29 @@ void FieldShading::count_values() {
   }
 }
 
-const Image& FieldShading::slice(int axis, int index, int thickness) {
+const Image& FieldShading::slice(int axis, int index, Slab slab) {
   const auto i = static_cast<std::size_t>(axis);
-  if (indices_[i] != index || thicknesses_[i] != thickness) {
-    slices_[i] = figure::slice_pixels(learning::with_slab(*field_, axis, index, thickness), figure::Slice{axis, index},
-                                      colouring_);
+  if (indices_[i] != index || slabs_[i] != slab) {
+    slices_[i] = figure::slice_pixels(learning::with_slab(*field_, axis, index, slab.thickness, slab.through),
+                                      figure::Slice{axis, index}, colouring_);
     indices_[i] = index;
-    thicknesses_[i] = thickness;
+    slabs_[i] = slab;
     versions_[i] = next_version_++;
   }
   return slices_[i];
 }
 
-const Image& FieldShading::montage(int thickness) {
-  if (montage_thickness_ == thickness) return montage_;
+const Image& FieldShading::montage(Slab slab) {
+  if (montage_slab_ == slab) return montage_;
   const int n = field_->grid.n;
   montage_ = Image(n, n * n);
   for (int z = 0; z < n; ++z) {
-    const Image one =
-        figure::slice_pixels(learning::with_slab(*field_, 2, z, thickness), figure::Slice{2, z}, colouring_);
+    const Image one = figure::slice_pixels(learning::with_slab(*field_, 2, z, slab.thickness, slab.through),
+                                           figure::Slice{2, z}, colouring_);
     const auto offset = static_cast<std::ptrdiff_t>(one.rgba.size()) * z;
     std::copy(one.rgba.begin(), one.rgba.end(), montage_.rgba.begin() + offset);
   }
-  montage_thickness_ = thickness;
+  montage_slab_ = slab;
   montage_version_ = next_version_++;
   return montage_;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/core/image.h"
@@ -12,6 +13,13 @@
 #include "engine/workbench/field_settings.h"
 
 namespace trocar::ui {
+
+/// How thick a slice is, in cells, and what it shows across them.
+struct Slab {
+  int thickness = 1;
+  learning::Through through = learning::Through::kLargest;
+  bool operator==(const Slab&) const = default;
+};
 
 class FieldShading {
  public:
@@ -26,9 +34,9 @@ class FieldShading {
   const plot::Colouring& colouring() const { return colouring_; }
   /// One pixel a cell, as `figure::slice_pixels`, of a slab so many cells thick; kept until the slice or the shading
   /// changes.
-  const Image& slice(int axis, int index, int thickness = 1);
+  const Image& slice(int axis, int index, Slab slab = {});
   /// All slices along z, one below the other, the lowest first; kept likewise.
-  const Image& montage(int thickness = 1);
+  const Image& montage(Slab slab = {});
   std::uint64_t montage_version() const { return montage_version_; }
   /// The scale of the colours over all values, whatever limits were set and values clipped: what a colour bar runs
   /// along. Not for classes.
@@ -50,9 +58,9 @@ class FieldShading {
   plot::Colouring colouring_;
   std::array<Image, 3> slices_;
   std::array<int, 3> indices_{-1, -1, -1};
-  std::array<int, 3> thicknesses_{1, 1, 1};
+  std::array<Slab, 3> slabs_;
   Image montage_;
-  int montage_thickness_ = 0;  ///< 0: there is none.
+  std::optional<Slab> montage_slab_;  ///< None: there is no montage.
   std::uint64_t montage_version_ = 0;
   plot::Scale axis_;
   std::vector<float> histogram_;

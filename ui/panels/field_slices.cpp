@@ -166,7 +166,7 @@ void FieldSlices::draw_slice(Ui& ui, const WorkbenchState& state, FieldShading& 
     const FontScope font(ui.fonts().small);
     std::string names = fmt::format("{} →  {} ↑", kAxisNames[static_cast<std::size_t>(axes.right)],
                                     kAxisNames[static_cast<std::size_t>(axes.up)]);
-    if (slab > 1) names += fmt::format("   largest of {}", slab);
+    if (slab > 1) names += fmt::format("   {} of {}", learning::to_string(state.field.through), slab);
     ImGui::GetWindowDrawList()->AddText(ImGui::GetCursorScreenPos(), to_u32(ui.theme().text_dim), names.c_str());
     ImGui::Dummy({size.x, ImGui::GetFontSize()});
   }
@@ -178,7 +178,7 @@ void FieldSlices::draw_slice(Ui& ui, const WorkbenchState& state, FieldShading& 
   const Rect rect = item_rect();
   take_mouse(axis, rect, hovered, state, requests);
   draw_hatch(ui, rect);
-  const Image& picture = shading.slice(axis, index_[i], slab);
+  const Image& picture = shading.slice(axis, index_[i], {slab, state.field.through});
   const ImTextureID texture =
       ui.textures().texture(fmt::format("slice {}", axis), picture, shading.version(axis), Sampling::kNearest);
   ImGui::GetWindowDrawList()->AddImage(texture, {rect.x0, rect.y0}, {rect.x1, rect.y1});
@@ -232,7 +232,7 @@ bool FieldSlices::draw_montage(Ui& ui, const WorkbenchState& state, FieldShading
     columns = std::max(1, static_cast<int>((room.x + gap) / (ui.px(kLeastTile) + gap)));
     side = std::floor((room.x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
   }
-  const Image& picture = shading.montage(std::clamp(state.field.slabs[2], 1, n_));
+  const Image& picture = shading.montage({std::clamp(state.field.slabs[2], 1, n_), state.field.through});
   const ImTextureID texture = ui.textures().texture("montage", picture, shading.montage_version(), Sampling::kNearest);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   const FontScope font(ui.fonts().small);

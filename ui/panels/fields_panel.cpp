@@ -1,4 +1,5 @@
 #include "ui/panels/fields_panel.h"
+#include "ui/panels/field_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -64,10 +65,12 @@ void FieldsPanel::draw_slices(Ui& ui, const WorkbenchState& state, Requests& req
   const spatial::CellCoordinates probed = slices_.hovered().value_or(slices_.at());
   if (!slices_.beside()) {
     probe_.draw(ui, state, probed, requests);
+    draw_field_lines(ui, shading_, probed);
     return;
   }
   ImGui::BeginGroup();
   probe_.draw(ui, state, probed, requests);
+  draw_field_lines(ui, shading_, probed);
   ImGui::EndGroup();
 }
 

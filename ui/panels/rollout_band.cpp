@@ -83,7 +83,7 @@ void draw_band_words(Ui& ui, const BandPlaces& places, const DeviationBand& band
 void draw_deviation_band(Ui& ui, const workbench::ModelInsight& insight) {
   const Scope scope(ui, "Deviation");
   heading(ui, "Deviation from the expert");
-  const DeviationBand& band = insight.band;
+  const DeviationBand& band = insight.spread->band;
   if (band.median.size() < 2) {
     wrapped_text(ui, fmt::format("Needs {} rollouts of some steps", learning::kLeastInBand), ui.theme().text_dim);
     return;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/figure/outcome_colours.h"
-#include "engine/figure/rollout_figure.h"
 #include "ui/format.h"
 #include "ui/panels/rollout_brush.h"
 #include "ui/panels/rollout_parts.h"
@@ -17,18 +17,9 @@ namespace {
 using learning::RolloutEnd;
 using learning::RolloutMeasure;
 
-constexpr std::size_t kMostDots = 120;
-constexpr int kEndCount = static_cast<int>(RolloutEnd::kOutsideSafeSet) + 1;
-
 /// What boxes are drawn of, in the order of the table.
 const std::vector<RolloutMeasure>& boxed() {
-  static const std::vector<RolloutMeasure> kBoxed = [] {
-    std::vector<RolloutMeasure> measures;
-    for (int i = 0; i < learning::kRolloutMeasures; ++i) {
-      if (figure::has_boxes(static_cast<RolloutMeasure>(i))) measures.push_back(static_cast<RolloutMeasure>(i));
-    }
-    return measures;
-  }();
+  static const std::vector<RolloutMeasure> kBoxed = learning::spread_measures();
   return kBoxed;
 }
 
@@ -40,46 +31,30 @@ std::string spread_words(RolloutMeasure measure, const learning::Spread& spread)
 
 }  // namespace
 
-void RolloutBoxes::add_rows(const std::vector<learning::Rollout>& rollouts, const workbench::ModelInsight& insight,
-                            const std::string& before) {
-  for (int i = 0; i < kEndCount; ++i) {
-    Row row;
-    row.end = static_cast<RolloutEnd>(i);
-    std::vector<double> values;
-    for (const learning::Rollout& rollout : rollouts) {
-      if (rollout.end != row.end) continue;
-      const double value = learning::measure(rollout, measure_, insight.entry->model->grid, clearance_of(insight));
-      const bool never = measure_ == RolloutMeasure::kDivergence && value < 0.0;
-      if (std::isfinite(value) && !never) values.push_back(value);
+std::vector<RolloutBoxes::Row> RolloutBoxes::rows_of(const workbench::ModelInsight& insight) const {
+  std::vector<Row> rows;
+  const auto add = [&](const learning::RolloutSpread& spread, const std::string& before) {
+    for (std::size_t i = 0; i < learning::kRolloutEnds; ++i) {
+      const auto end = static_cast<RolloutEnd>(i);
+      const learning::MeasureSpread& values = spread.of(measure_, end);
+      if (values.spread.count == 0) continue;
+      std::string name = before + std::string(figure::outcome_word(end));
+      if (before.empty()) name[0] = static_cast<char>(name[0] - 'a' + 'A');
+      rows.push_back({std::move(name), end, &values});
     }
-    row.spread = learning::spread_of(values);
-    if (row.spread.count == 0) continue;
-    row.name = before + std::string(figure::outcome_word(row.end));
-    if (before.empty()) row.name[0] = static_cast<char>(row.name[0] - 'a' + 'A');
-    const std::size_t dots = std::min(values.size(), kMostDots);
-    for (std::size_t n = 0; n < dots; ++n) row.points.push_back(values[n * values.size() / dots]);
-    rows_.push_back(std::move(row));
-  }
-}
-
-void RolloutBoxes::update(const workbench::ModelInsight& insight) {
-  const Rollouts second = insight.second ? insight.second->listed : nullptr;
-  if (of_ == insight.listed && second_of_ == second && drawn_ == measure_) return;
-  of_ = insight.listed;
-  second_of_ = second;
-  drawn_ = measure_;
-  rows_.clear();
-  add_rows(*of_, insight, second ? "A " : "");
-  if (second) add_rows(*second, insight, "B ");
+  };
+  add(*insight.spread, insight.second ? "A " : "");
+  if (insight.second) add(*insight.second->spread, "B ");
+  return rows;
 }
 
 void RolloutBoxes::draw_row(Ui& ui, const Row& row, double low, double high) const {
   const Rgba colour = figure::outcome_colour(row.end);
-  const std::string value = spread_words(measure_, row.spread);
+  const std::string value = spread_words(measure_, row.values->spread);
   const float height = std::max(ui.px(24), ImGui::GetTextLineHeight());
   chart_area(ui, row.name, {ImGui::GetContentRegionAvail().x, height}, value, {.help = value});
   const Rect rect = item_rect();
-  const std::string middle = number(row.spread.median * learning::words_of(measure_).scale);
+  const std::string middle = number(row.values->spread.median * learning::words_of(measure_).scale);
   const float name_width = ui.px(116);
   const float numbers = ImGui::CalcTextSize("−0.000").x;
   const Rect area{rect.x0 + name_width, rect.y0 + ui.px(3), rect.x1 - numbers - ui.px(10), rect.y1 - ui.px(3)};
@@ -94,18 +69,20 @@ void RolloutBoxes::draw_row(Ui& ui, const Row& row, double low, double high) con
     return area.x0 + static_cast<float>((at - low) / std::max(high - low, 1e-12)) * area.width();
   };
   const float y = area.centre_y();
-  for (std::size_t i = 0; i < row.points.size(); ++i) {
+  for (std::size_t i = 0; i < row.values->some.size(); ++i) {
     // Spread over the height by their place, so that equal ones are seen.
     const float lower = (static_cast<float>(i * 7 % 11) / 10.0F - 0.5F) * 0.8F * area.height();
-    list.AddCircleFilled({x_of(row.points[i]), y + lower}, ui.px(1.5F), to_u32(colour, 0.55F), 8);
+    list.AddCircleFilled({x_of(row.values->some[i]), y + lower}, ui.px(1.5F), to_u32(colour, 0.55F), 8);
   }
   const ImU32 edge = to_u32(ui.theme().text);
   const float width = std::max(ui.px(1.5F), 1.0F);
   const float half = 0.32F * area.height();
-  list.AddLine({x_of(row.spread.least), y}, {x_of(row.spread.low), y}, edge, width);
-  list.AddLine({x_of(row.spread.high), y}, {x_of(row.spread.most), y}, edge, width);
-  list.AddRect({x_of(row.spread.low), y - half}, {x_of(row.spread.high), y + half}, edge, 0.0F, 0, width);
-  list.AddLine({x_of(row.spread.median), y - half}, {x_of(row.spread.median), y + half}, edge, 2.0F * width);
+  list.AddLine({x_of(row.values->spread.least), y}, {x_of(row.values->spread.low), y}, edge, width);
+  list.AddLine({x_of(row.values->spread.high), y}, {x_of(row.values->spread.most), y}, edge, width);
+  list.AddRect({x_of(row.values->spread.low), y - half}, {x_of(row.values->spread.high), y + half}, edge, 0.0F, 0,
+               width);
+  list.AddLine({x_of(row.values->spread.median), y - half}, {x_of(row.values->spread.median), y + half}, edge,
+               2.0F * width);
 }
 
 void RolloutBoxes::draw(Ui& ui, const workbench::ModelInsight& insight) {
@@ -118,28 +95,31 @@ void RolloutBoxes::draw(Ui& ui, const workbench::ModelInsight& insight) {
   heading(ui, "Where the measures lie");
   auto chosen = static_cast<int>(std::find(boxed().begin(), boxed().end(), measure_) - boxed().begin());
   form_label(ui, "Measure");
-  if (combo(ui, "Measure", chosen, kTitles, {.help = "Of the listed rollouts, by how they end"})) {
+  if (combo(ui, "Measure", chosen, kTitles, {.help = "Of all rollouts, by how they end"})) {
     measure_ = boxed()[static_cast<std::size_t>(chosen)];
   }
-  update(insight);
-  if (rows_.empty()) {
+  const std::vector<Row> rows = rows_of(insight);
+  if (rows.empty()) {
     wrapped_text(ui, "No rollout has such a value", ui.theme().text_dim);
     return;
   }
   // Zero is always there, so that lengths are compared by eye.
   double low = 0.0;
   double high = 0.0;
-  for (const Row& row : rows_) {
-    low = std::min(low, row.spread.least);
-    high = std::max(high, row.spread.most);
+  for (const Row& row : rows) {
+    low = std::min(low, row.values->spread.least);
+    high = std::max(high, row.values->spread.most);
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, ui.px(2)});
-  for (const Row& row : rows_) draw_row(ui, row, low, high);
+  for (const Row& row : rows) draw_row(ui, row, low, high);
   ImGui::PopStyleVar();
-  small_text(ui,
-             fmt::format("{} to {}; box: the middle half, bar and number: the middle one", measure_words(measure_, low),
-                         measure_words(measure_, high)),
-             ui.theme().text_dim);
+  std::string words = fmt::format("{} to {}; box: the middle half, bar and number: the middle one",
+                                  measure_words(measure_, low), measure_words(measure_, high));
+  if (insight.spread->followed < insight.spread->starts) {
+    words += fmt::format("; {} of {} rollouts, evenly", count(static_cast<std::int64_t>(insight.spread->followed)),
+                         count(static_cast<std::int64_t>(insight.spread->starts)));
+  }
+  wrapped_text(ui, words, ui.theme().text_dim);
 }
 
 }  // namespace trocar::ui

@@ -36,10 +36,13 @@ std::array<std::string, learning::kRolloutMeasures - 2> cells_of(const Rollout& 
           millimetres(rollout.max_deviation_m),
           millimetres(rollout.mean_deviation_m),
           millimetres(rollout.frechet_m),
+          millimetres(rollout.hausdorff_m),
+          millimetres(rollout.warped_m),
           learning::last_moves(insight.entry->model->grid, rollout.cells),
           rollout.from_above ? "yes" : "no",
           number(rollout.reward_sum),
           rollout.divergence_step < 0 ? "never" : fmt::format("step {}", rollout.divergence_step),
+          count(rollout.outside_steps),
           std::isnan(clearance_m) ? "unknown" : millimetres(clearance_m)};
 }
 

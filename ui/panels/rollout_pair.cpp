@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <vector>
 
+#include "engine/figure/outcome_colours.h"
 #include "engine/statistics/proportion.h"
 #include "ui/format.h"
 #include "ui/icons.h"
@@ -22,10 +24,8 @@ double arrival_share(int part, int whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / whole;
 }
 
-/// In points of a per cent, with its sign.
 std::string change_words(double change) {
-  const double points = 100.0 * change;
-  return fmt::format("{}{:.1f}", points < 0.0 ? "−" : "+", points < 0.0 ? -points : points);
+  return statistics::points_text(change, 1);
 }
 
 void draw_pairs(Ui& ui, std::string_view name, const learning::PairedComparison& paired) {
@@ -46,6 +46,45 @@ void draw_pairs(Ui& ui, std::string_view name, const learning::PairedComparison&
   const std::string p = p_words(paired.mcnemar_p);
   fact(ui, "McNemar, exact", p);
   note_item(ui, "text", "McNemar", p, {});
+}
+
+/// How the chosen starts end with A, downwards, and with B, to the right; only ends that there are.
+void draw_ends(Ui& ui, const learning::OutcomeTable& ends) {
+  const Scope scope(ui, "Ends");
+  std::vector<std::size_t> rows;
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    int of_a = 0;
+    int of_b = 0;
+    for (std::size_t j = 0; j < ends.size(); ++j) {
+      of_a += ends[i][j];
+      of_b += ends[j][i];
+    }
+    if (of_a > 0) rows.push_back(i);
+    if (of_b > 0) columns.push_back(i);
+  }
+  if (rows.empty()) return;
+  heading(ui, "How the chosen starts end");
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable("ends", static_cast<int>(columns.size()) + 1, kFlags)) return;
+  const auto word = [](std::string_view letter, std::size_t end) {
+    return fmt::format("{} {}", letter, figure::outcome_word(static_cast<learning::RolloutEnd>(end)));
+  };
+  ImGui::TableSetupColumn("A \\ B");
+  for (const std::size_t column : columns) ImGui::TableSetupColumn(word("B", column).c_str());
+  ImGui::TableHeadersRow();
+  for (const std::size_t row : rows) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(word("A", row).c_str());
+    for (const std::size_t column : columns) {
+      ImGui::TableNextColumn();
+      const std::string number = count(ends[row][column]);
+      ImGui::TextUnformatted(number.c_str());
+      note_item(ui, "text", word("A", row) + ", " + word("B", column), number, {});
+    }
+  }
+  ImGui::EndTable();
 }
 
 void draw_differences(Ui& ui, const learning::ModelComparison& comparison) {
@@ -105,6 +144,7 @@ void draw_second_model(Ui& ui, const WorkbenchState& state, Requests& requests) 
   }
   const workbench::SecondModel& second = *state.insight->second;
   draw_pairs(ui, "Chosen starts", second.paired);
+  draw_ends(ui, second.ends);
   ImGui::Dummy({0.0F, ui.px(3)});
   draw_pairs(ui, "All starts", second.comparison->paired);
   ImGui::Dummy({0.0F, ui.px(3)});

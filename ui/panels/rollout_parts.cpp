@@ -154,6 +154,7 @@ std::string measure_words(learning::RolloutMeasure measure, double value) {
   switch (measure) {
     case RolloutMeasure::kStart:
     case RolloutMeasure::kSteps:
+    case RolloutMeasure::kOutside:
       return count(whole);
     case RolloutMeasure::kEnd:
       return std::string(learning::to_string(static_cast<RolloutEnd>(std::clamp(whole, 0, 3))));
@@ -161,6 +162,8 @@ std::string measure_words(learning::RolloutMeasure measure, double value) {
     case RolloutMeasure::kMaxDeviation:
     case RolloutMeasure::kMeanDeviation:
     case RolloutMeasure::kFrechet:
+    case RolloutMeasure::kHausdorff:
+    case RolloutMeasure::kWarped:
     case RolloutMeasure::kClearance:
       return millimetres(value);
     case RolloutMeasure::kLastMoves:

@@ -79,6 +79,20 @@ void RolloutRuns::draw_erring(Ui& ui, const WorkbenchState& state, Requests& req
   }
 }
 
+trial::PhysicsOptions RolloutRuns::physics_options() const {
+  // A slider's value is written in as many digits as it shows.
+  const auto shown = [](float value, double digits) {
+    return std::round(static_cast<double>(value) * digits) / digits;
+  };
+  trial::PhysicsOptions options;
+  options.seed = static_cast<std::uint64_t>(world_seed_);
+  options.continuous = continuous_;
+  options.perturbed.epsilon = shown(errs_, 100.0);
+  options.perturbed.delay_s = 1e-3 * static_cast<double>(delay_ms_);
+  options.perturbed.noise_m = 1e-3 * shown(noise_mm_, 10.0);
+  return options;
+}
+
 void RolloutRuns::draw_physics(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "In the simulator");
   heading(ui, "In the simulator");
@@ -87,11 +101,20 @@ void RolloutRuns::draw_physics(Ui& ui, const WorkbenchState& state, Requests& re
                {.help = "How the blocks are turned, and where in its cell a start is"});
   form_label(ui, "Start");
   checkbox(ui, "Anywhere in the cell", continuous_, {.help = "Else in its middle"});
+  form_label(ui, "Errs, ε");
+  slider_float(ui, "Errs", errs_, 0.0F, 0.5F, "%.2f",
+               {.help = "Share of the actions that are drawn evenly from those allowed"});
+  form_label(ui, "Delay, ms");
+  number_field(ui, "Delay", delay_ms_, 0, 5000, {.help = "The policy is asked for where the tool was so long ago"});
+  form_label(ui, "Noise, mm");
+  slider_float(ui, "Noise", noise_mm_, 0.0F, 5.0F, "%.1f",
+               {.help = "Standard deviation, on each axis, of where the tool is taken to be"});
   const auto& found = state.physics;
+  const trial::PhysicsOptions options =
+      workbench::physics_options_of(*state.project, *state.insight->entry, physics_options());
   const bool goes_on = found && static_cast<std::size_t>(found->finished) < found->cells.size() &&
                        found->starts == state.rollouts.starts && found->entry == state.insight->entry &&
-                       found->options.seed == static_cast<std::uint64_t>(world_seed_) &&
-                       found->options.continuous == continuous_;
+                       trial::same_runs(found->options, options);
   if (const workbench::JobView* job = job_under_way(state, "Rollouts in the simulator")) {
     draw_job_under_way(ui, *job, "What is finished is kept; Go on takes it up again", requests);
   } else {
@@ -100,10 +123,7 @@ void RolloutRuns::draw_physics(Ui& ui, const WorkbenchState& state, Requests& re
                {.icon = icon::kPlay,
                 .help = "Drives the policy through the simulator from every start, on all cores",
                 .reason = reason})) {
-      trial::PhysicsOptions options;
-      options.seed = static_cast<std::uint64_t>(world_seed_);
-      options.continuous = continuous_;
-      requests.emplace_back(Command{workbench::RunPhysics{options}});
+      requests.emplace_back(Command{workbench::RunPhysics{physics_options()}});
     }
   }
   if (!found) return;

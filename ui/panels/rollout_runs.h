@@ -14,6 +14,7 @@ class RolloutRuns {
  private:
   void draw_erring(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_physics(Ui& ui, const WorkbenchState& state, Requests& requests);
+  trial::PhysicsOptions physics_options() const;
   void draw_export(Ui& ui, const WorkbenchState& state, Requests& requests);
   /// Why such rows cannot be written; "" if they can.
   std::string no_rows(const WorkbenchState& state) const;
@@ -23,6 +24,9 @@ class RolloutRuns {
   std::int64_t seed_ = 1;
   std::int64_t world_seed_ = 1;
   bool continuous_ = false;
+  float errs_ = 0.0F;  ///< Share of the actions, in the simulator.
+  std::int64_t delay_ms_ = 0;
+  float noise_mm_ = 0.0F;
   int rows_ = 0;  ///< As `workbench::RolloutRows`.
   std::string file_ = "rollouts.csv";
 };

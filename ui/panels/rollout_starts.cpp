@@ -13,12 +13,12 @@ namespace trocar::ui {
 namespace {
 
 const std::vector<std::string>& kind_names() {
-  static const std::vector<std::string> kNames{"Around the start", "All cells", "Box",       "Face",
-                                               "Sphere",           "Gaussian",  "From file", "Painted"};
+  static const std::vector<std::string> kNames{"Around the start", "All cells",       "Box",       "Face",   "Sphere",
+                                               "Gaussian",         "Latin hypercube", "From file", "Painted"};
   return kNames;
 }
-constexpr std::array<std::string_view, 8> kBeginnings{
-    "around:", "all", "box:", "face:", "sphere:", "gaussian:", "file:", "cells:"};
+constexpr std::array<std::string_view, 9> kBeginnings{
+    "around:", "all", "box:", "face:", "sphere:", "gaussian:", "latin:", "file:", "cells:"};
 const std::vector<std::string>& face_names() {
   static const std::vector<std::string> kNames{"x low", "x high", "y low", "y high", "z low", "z high (top)"};
   return kNames;
@@ -63,6 +63,11 @@ void RolloutStarts::take_over(const WorkbenchState& state) {
     draws_ = numbers[1];
     seed_ = numbers[2];
   }
+  if (kind == Kind::kLatin && (numbers.size() == 2 || numbers.size() == 3)) {
+    draws_ = numbers[0];
+    seed_ = numbers[1];
+    near_ = numbers.size() == 3 ? numbers[2] : 0;
+  }
 }
 
 std::string RolloutStarts::text(int most) const {
@@ -83,6 +88,9 @@ std::string RolloutStarts::text(int most) const {
       return fmt::format("sphere:{},{},{},{}", sphere_[0], sphere_[1], sphere_[2], sphere_[3]);
     case Kind::kGaussian:
       return fmt::format("gaussian:{},{},{}", sigma_mm_, draws_, seed_);
+    case Kind::kLatin:
+      return near_ == 0 ? fmt::format("latin:{},{}", draws_, seed_)
+                        : fmt::format("latin:{},{},{}", draws_, seed_, std::min<std::int64_t>(near_, most));
     case Kind::kFile:
       return fmt::format("{}{}", learning::kStartFile, file_);
     case Kind::kPainted:
@@ -135,6 +143,16 @@ bool RolloutStarts::draw_numbers(Ui& ui, int most) {
       changed |= number_field(ui, "Draws", draws_, 1, 100'000, {.help = "How many starts are drawn"});
       form_label(ui, "Seed");
       changed |= number_field(ui, "Seed", seed_, 0, 1'000'000'000, {.help = "The same seed draws the same starts"});
+      break;
+    case Kind::kLatin:
+      form_label(ui, "Draws");
+      changed |= number_field(ui, "Draws", draws_, 1, 100'000,
+                              {.help = "Each axis is cut into as many parts, and each part is drawn from once"});
+      form_label(ui, "Seed");
+      changed |= number_field(ui, "Seed", seed_, 0, 1'000'000'000, {.help = "The same seed draws the same starts"});
+      form_label(ui, "Within, cells");
+      changed |= number_field(ui, "Within", near_, 0, most,
+                              {.help = "Of the expert's start, to either side; 0: anywhere in the lattice"});
       break;
     case Kind::kFile:
       form_label(ui, "File");

@@ -10,7 +10,7 @@ class RolloutStarts {
   void draw(Ui& ui, const WorkbenchState& state, Requests& requests);
 
  private:
-  enum class Kind { kAround, kAll, kBox, kFace, kSphere, kGaussian, kFile, kPainted };
+  enum class Kind { kAround, kAll, kBox, kFace, kSphere, kGaussian, kLatin, kFile, kPainted };
   void take_over(const WorkbenchState& state);
   std::string text(int most) const;
   bool draw_numbers(Ui& ui, int most);
@@ -24,6 +24,7 @@ class RolloutStarts {
   std::int64_t sigma_mm_ = 5;
   std::int64_t draws_ = 200;
   std::int64_t seed_ = 1;
+  std::int64_t near_ = 0;  ///< Of a Latin hypercube, cells; 0: the whole lattice.
   std::string file_;
 };
 

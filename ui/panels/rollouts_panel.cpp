@@ -96,6 +96,9 @@ void RolloutsPanel::draw_outcomes(Ui& ui, const WorkbenchState& state, Requests&
   around_table(ui, insight.around, k, requests, state.rollouts);
   ImGui::Dummy({0.0F, ui.px(3)});
   summary_block(ui, "All cells", insight.all);
+  plot = {};
+  plot.kind = workbench::PlotKind::kReport;
+  export_plot_button(ui, "Report…", plot, requests);
 }
 
 void RolloutsPanel::draw_spread(Ui& ui, const WorkbenchState& state, Requests& requests) {

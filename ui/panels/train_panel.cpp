@@ -188,8 +188,10 @@ void TrainPanel::draw_history(Ui& ui, const WorkbenchState& state, Requests& req
   workbench::PlotSettings plot;
   plot.kind = workbench::PlotKind::kCurve;
   export_plot_button(ui, "Export curve…", plot, requests);
-  fact(ui, "Fully explored", count(insight.exploration.fully_explored));
-  fact(ui, "Not explored", count(insight.exploration.fully_unexplored));
+  if (learning::is_sampled(insight.entry->model->options.method)) {
+    fact(ui, "Fully explored", count(insight.exploration.fully_explored));
+    fact(ui, "Not explored", count(insight.exploration.fully_unexplored));
+  }
   fact(ui, "Arrive within ±3", percent(insight.around[2].arrived, insight.around[2].count));
   play(ui, state, requests);
 }

@@ -57,6 +57,7 @@ Result<figure::FieldFigureOptions> file_options(const FieldExport& request, cons
   options.limits = look.limits;
   options.vision = look.vision;
   options.width_px = look.width_px;
+  if (look.transparent) options.ground = figure::kNoPaper;
   return options;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/core/ending.h"
+#include "engine/core/file.h"
 #include "engine/learning/start_file.h"
 #include "engine/media/picture_file.h"
 #include "engine/peg_board/obstacles.h"
@@ -50,6 +51,7 @@ std::string from_words(const PlotExport& request, std::size_t starts) {
 figure::CurveFigure curves_on(const PlotExport& request, std::optional<figure::Print> print, std::string axis) {
   figure::CurveFigure made;
   made.width_px = request.settings.width_px;
+  if (request.settings.transparent) made.ground = figure::kNoPaper;
   made.print = print;
   made.axis = axis;
   made.axis_column = std::move(axis);
@@ -78,34 +80,59 @@ figure::CurveFigure arrivals_of(const PlotExport& request, const Cells& starts, 
   return made;
 }
 
-std::vector<figure::DrawnRollouts> rollouts_of(const PlotExport& request, const Cells& starts) {
+Result<learning::RolloutSpread> spread_of(const learning::Model& model, const Cells& starts,
+                                          const std::vector<double>& clearance_m, Progress& progress) {
+  return learning::spread_from(model, learning::greedy_policy(model), starts, clearance_m, progress);
+}
+
+/// With the ways of those that are listed, or, for boxes, with the spread of all.
+Result<std::vector<figure::DrawnRollouts>> rollouts_of(const PlotExport& request, const Cells& starts,
+                                                       Progress& progress) {
   std::vector<figure::DrawnRollouts> drawn;
   for (const auto& entry : request.models) {
     const learning::Model& model = *entry->model;
-    auto rollouts = std::make_shared<const std::vector<learning::Rollout>>(
-        sample_rollouts(model, learning::greedy_policy(model), starts, kMostListed));
-    drawn.push_back({entry->name, entry->model, std::move(rollouts),
-                     std::make_shared<const std::vector<double>>(peg_board::clearances_m(model.grid))});
+    figure::DrawnRollouts of{entry->name, entry->model, nullptr, nullptr, nullptr};
+    of.clearance_m = std::make_shared<const std::vector<double>>(peg_board::clearances_m(model.grid));
+    if (request.settings.kind == PlotKind::kBoxes) {
+      TROCAR_ASSIGN_OR_RETURN(learning::RolloutSpread spread, spread_of(model, starts, *of.clearance_m, progress));
+      of.spread = std::make_shared<const learning::RolloutSpread>(std::move(spread));
+    } else {
+      of.rollouts = std::make_shared<const std::vector<learning::Rollout>>(
+          sample_rollouts(model, learning::greedy_policy(model), starts, kMostListed));
+    }
+    drawn.push_back(std::move(of));
   }
   return drawn;
 }
 
-Result<figure::CurveFigure> band_of(const PlotExport& request, const Cells& starts,
-                                    std::optional<figure::Print> print) {
+std::vector<learning::RolloutMeasure> measures_of(const PlotSettings& settings) {
+  return settings.measures.empty() ? learning::spread_measures() : settings.measures;
+}
+
+Result<figure::CurveFigure> band_of(const PlotExport& request, const Cells& starts, std::optional<figure::Print> print,
+                                    Progress& progress) {
   figure::CurveFigure made = curves_on(request, print, "step");
-  figure::CurvePlot plot{"Deviation from the expert", "mm", {}, {}, true};
-  for (const figure::DrawnRollouts& of : rollouts_of(request, starts)) {
-    const learning::DeviationBand band = learning::deviation_band(*of.model, *of.rollouts);
+  figure::CurvePlot deviation{"Deviation from the expert", "mm", {}, {}, true};
+  figure::CurvePlot going_on{"Still going on", "%", {}, {}, true};
+  for (const auto& entry : request.models) {
+    TROCAR_ASSIGN_OR_RETURN(const learning::RolloutSpread spread, spread_of(*entry->model, starts, {}, progress));
+    const learning::DeviationBand& band = spread.band;
     if (band.median.size() < 2) {
       return fail(ErrorCode::kInvalidArgument, fmt::format("a band needs {} rollouts of some steps, and {} has fewer",
-                                                           learning::kLeastInBand, of.name));
+                                                           learning::kLeastInBand, entry->name));
     }
     made.end_s = std::max(made.end_s, static_cast<double>(band.median.size() - 1));
-    plot.lines.push_back({of.name, by_number(scaled(band.median, 1e3), 0), by_number(scaled(band.low, 1e3), 0),
-                          by_number(scaled(band.high, 1e3), 0)});
+    const auto curve = [](const std::vector<double>& values_m) { return by_number(scaled(values_m, 1e3), 0); };
+    deviation.lines.push_back(
+        {entry->name,
+         curve(band.median),
+         {{"p05", "p95", curve(band.low), curve(band.high)}, {"p25", "p75", curve(band.lower), curve(band.upper)}}});
+    std::vector<double> shares(band.count.begin(), band.count.end());
+    going_on.lines.push_back(
+        {entry->name, by_number(scaled(std::move(shares), 100.0 / static_cast<double>(band.count.front())), 0)});
   }
-  made.title = "Median and 90 %, " + from_words(request, starts.size());
-  made.plots.push_back(std::move(plot));
+  made.title = "Median, middle half and 90 %, " + from_words(request, starts.size());
+  made.plots = {std::move(deviation), std::move(going_on)};
   return made;
 }
 
@@ -125,21 +152,43 @@ Result<figure::CurveFigure> learning_curves_of(const PlotExport& request, std::o
   return made;
 }
 
-Status write_rollout_figure(const PlotExport& request, const Cells& starts, std::optional<figure::Print> print) {
+bool any_kept(const std::vector<figure::DrawnRollouts>& models, const std::vector<learning::RolloutRange>& kept) {
+  return std::any_of(models.begin(), models.end(), [&](const figure::DrawnRollouts& of) {
+    return std::any_of(of.rollouts->begin(), of.rollouts->end(), [&](const learning::Rollout& rollout) {
+      return learning::lies_in(rollout, kept, of.model->grid, *of.clearance_m);
+    });
+  });
+}
+
+std::string boxes_csv(const std::vector<figure::DrawnRollouts>& models, const PlotSettings& settings) {
+  std::string csv = learning::spread_csv_header();
+  for (const figure::DrawnRollouts& of : models) {
+    csv += learning::spread_csv_rows(of.name, *of.spread, measures_of(settings));
+  }
+  return csv;
+}
+
+Status write_rollout_figure(const PlotExport& request, const Cells& starts, std::optional<figure::Print> print,
+                            Progress& progress) {
   const PlotSettings& settings = request.settings;
   figure::RolloutFigure made;
   made.plot = settings.kind == PlotKind::kBoxes  ? figure::RolloutPlot::kBoxes
               : settings.kind == PlotKind::kAxes ? figure::RolloutPlot::kAxes
                                                  : figure::RolloutPlot::kMultiples;
   made.subtitle = from_words(request, starts.size());
-  made.models = rollouts_of(request, starts);
+  TROCAR_ASSIGN_OR_RETURN(made.models, rollouts_of(request, starts, progress));
+  if (ending_of(request.path) == ".csv") return write_file(request.path, boxes_csv(made.models, settings));
   made.measures = settings.measures;
+  if (settings.kind == PlotKind::kMultiples && !any_kept(made.models, settings.kept)) {
+    return fail(ErrorCode::kInvalidArgument, "no rollout lies in what is to be kept, so that there is no picture");
+  }
   made.kept = settings.kept;
   made.by = settings.by;
   made.descending = settings.descending;
   made.pictures = settings.pictures;
   made.columns = settings.columns;
   made.width_px = settings.width_px;
+  if (settings.transparent) made.ground = figure::kNoPaper;
   made.print = print;
   if (ending_of(request.path) != ".png") return figure::save_rollouts(made, request.path);
   const std::optional<double> dpi = print ? std::optional(print->dpi) : settings.dpi;
@@ -159,6 +208,7 @@ Status write_map(const PlotExport& request) {
   field.look.width_px = request.settings.width_px;
   field.look.preset = request.settings.preset;
   field.look.dpi = request.settings.dpi;
+  field.look.transparent = request.settings.transparent;
   field.path = request.path;
   TROCAR_ASSIGN_OR_RETURN(const learning::Field ignored, export_field(field));
   return {};
@@ -176,7 +226,7 @@ Status check_models(const PlotExport& request) {
     }
   }
   for (const learning::RolloutMeasure measure : request.settings.measures) {
-    if (figure::has_boxes(measure)) continue;
+    if (learning::has_spread(measure)) continue;
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("no box is drawn of {}: it has no more and less", learning::words_of(measure).word));
   }
@@ -187,12 +237,14 @@ Status check_models(const PlotExport& request) {
 
 std::string reason_against_plot(PlotKind kind, const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
+  if (kind == PlotKind::kReport) return ending == ".html" ? "" : "A report is written as .html";
   if (ending == ".png" || ending == ".svg" || ending == ".pdf") return "";
   if (kind == PlotKind::kMap) {
     const bool numbers = ending == ".csv" || ending == ".npy" || ending == ".vti" || ending == ".h5";
     return numbers ? "" : "A map is written as .png, .svg, .pdf, .csv, .npy, .vti or .h5";
   }
   if (is_curve(kind)) return ending == ".csv" ? "" : "Such a curve is written as .png, .svg, .pdf or .csv";
+  if (kind == PlotKind::kBoxes) return ending == ".csv" ? "" : "Boxes are written as .png, .svg, .pdf or .csv";
   return "Such a figure is drawn as .png, .svg or .pdf; its numbers are in the table of all rollouts";
 }
 
@@ -226,14 +278,16 @@ Result<PlotReport> export_plot(const PlotExport& request, Progress& progress) {
   TROCAR_ASSIGN_OR_RETURN(const Cells starts, learning::read_starts(request.starts, *request.models.front()->model));
   if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before the plot was drawn");
   report.starts = starts.size();
-  report.listed = std::min<std::size_t>(starts.size(), kMostListed);
+  const bool ways = kind == PlotKind::kAxes || kind == PlotKind::kMultiples;
+  const std::size_t most = ways ? kMostListed : kind == PlotKind::kArrivals ? starts.size() : learning::kMostFollowed;
+  report.listed = std::min(starts.size(), most);
   if (kind == PlotKind::kArrivals) {
     TROCAR_RETURN_IF_ERROR(write_curves(arrivals_of(request, starts, print), request.path, request.settings.dpi));
   } else if (kind == PlotKind::kBand) {
-    TROCAR_ASSIGN_OR_RETURN(const figure::CurveFigure made, band_of(request, starts, print));
+    TROCAR_ASSIGN_OR_RETURN(const figure::CurveFigure made, band_of(request, starts, print, progress));
     TROCAR_RETURN_IF_ERROR(write_curves(made, request.path, request.settings.dpi));
   } else {
-    TROCAR_RETURN_IF_ERROR(write_rollout_figure(request, starts, print));
+    TROCAR_RETURN_IF_ERROR(write_rollout_figure(request, starts, print, progress));
   }
   return report;
 }

@@ -29,8 +29,9 @@ struct PlotReport {
 /// As many models as a figure may compare.
 constexpr std::size_t kMostPlotted = 6;
 
-/// .png, .svg or .pdf; arrivals, band and learning curve also as .csv, and a map as every file of a field. The same
-/// rollouts as in the window: evenly over the starts if there are more than `kMostListed`.
+/// .png, .svg or .pdf; arrivals, band, boxes and learning curve also as .csv, and a map as every file of a field. The
+/// same rollouts as in the window: of all starts, up to `learning::kMostFollowed`; ways evenly over the starts if there
+/// are more than `kMostListed`.
 /// Threads: any. Errors: kInvalidArgument (starts, ending, preset, models without a curve, of other lattices or too
 /// many), kCancelled, kIo.
 Result<PlotReport> export_plot(const PlotExport& request, Progress& progress);
@@ -39,7 +40,7 @@ Result<PlotReport> export_plot(const PlotExport& request, Progress& progress);
 /// `figure::save_curves`.
 Status write_curves(const figure::CurveFigure& made, const std::filesystem::path& out, std::optional<double> dpi);
 
-/// Why such a file cannot be written of such a plot, in words for the user; "" if it can.
+/// Why such a file cannot be written of such a plot or report, in words for the user; "" if it can.
 std::string reason_against_plot(PlotKind kind, const std::filesystem::path& path);
 
 }  // namespace trocar::workbench

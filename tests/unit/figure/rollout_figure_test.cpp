@@ -36,7 +36,8 @@ DrawnRollouts four_ends(const std::string& name) {
     rollout.max_deviation_m = 0.002 * i;
     rollouts->push_back(rollout);
   }
-  return {name, model, rollouts, nullptr};
+  auto spread = std::make_shared<const learning::RolloutSpread>(learning::spread_of_rollouts(*model, *rollouts, {}));
+  return {name, model, rollouts, nullptr, spread};
 }
 
 RolloutFigure figure_of(RolloutPlot plot) {
@@ -79,6 +80,8 @@ TEST_CASE("every rollout figure shows the colour of each end that there is, and 
     auto fewer = std::make_shared<std::vector<learning::Rollout>>(*made.models[0].rollouts);
     fewer->pop_back();
     made.models[0].rollouts = fewer;
+    made.models[0].spread = std::make_shared<const learning::RolloutSpread>(
+        learning::spread_of_rollouts(*made.models[0].model, *fewer, {}));
     const Image three = draw_rollouts(made);
     CHECK(pixels_of(three, outcome_colour(RolloutEnd::kDeadEnd)) > 40);
     CHECK(pixels_of(three, outcome_colour(RolloutEnd::kOutsideSafeSet)) == 0);
@@ -111,8 +114,8 @@ TEST_CASE("what is not kept is no small picture, and boxes are of the measures t
   const int all = draw_rollouts(boxes).height;
   boxes.measures = {learning::RolloutMeasure::kSteps};
   CHECK(draw_rollouts(boxes).height < all);
-  CHECK_FALSE(has_boxes(learning::RolloutMeasure::kEnd));
-  CHECK(has_boxes(learning::RolloutMeasure::kSteps));
+  CHECK_FALSE(learning::has_spread(learning::RolloutMeasure::kEnd));
+  CHECK(learning::has_spread(learning::RolloutMeasure::kSteps));
 }
 
 TEST_CASE("rollouts are saved as drawings only, whatever the case of the ending") {
@@ -133,15 +136,14 @@ TEST_CASE("a band about a curve is drawn, and is two more lines of its numbers")
   made.end_s = 2.0;
   made.plots.push_back({"Deviation", "mm", {{"one", curve(2.0)}}, {}, true});
   const Image bare = draw_curves(made);
-  made.plots[0].lines[0].low = curve(1.0);
-  made.plots[0].lines[0].high = curve(3.0);
+  made.plots[0].lines[0].bands.push_back({"p05", "p95", curve(1.0), curve(3.0)});
   const Image banded = draw_curves(made);
   CHECK(pixels_of(banded, {255, 255, 255, 255}) + 2000 < pixels_of(bare, {255, 255, 255, 255}));
   REQUIRE(save_curves_csv(made, folder.path() / "c.csv").has_value());
   const std::string csv = *read_file(folder.path() / "c.csv");
   CHECK(csv.find("\n2,Deviation,mm,one,6\n") != std::string::npos);
-  CHECK(csv.find("\n2,Deviation,mm,one low,3\n") != std::string::npos);
-  CHECK(csv.find("\n2,Deviation,mm,one high,9\n") != std::string::npos);
+  CHECK(csv.find("\n2,Deviation,mm,one p05,3\n") != std::string::npos);
+  CHECK(csv.find("\n2,Deviation,mm,one p95,9\n") != std::string::npos);
   made.plots[0].lines = {{"a, b", curve(2.0)}};
   REQUIRE(save_curves_csv(made, folder.path() / "q.csv").has_value());
   CHECK(read_file(folder.path() / "q.csv")->find("\n2,Deviation,mm,\"a, b\",6\n") != std::string::npos);

@@ -60,18 +60,23 @@ TEST_CASE("an action that was not tried has no Q to show") {
 TEST_CASE("layers agree with the functions they show") {
   const Model model = trained(Method::kExact);
   const Basin all = basin(model, greedy_policy(model));
-  const Exploration counts = exploration(model);
   const Field outcome = field(model, Layer::kBasin);
   const Field steps = field(model, Layer::kSteps);
-  const Field explored = field(model, Layer::kExplored);
-  int fully = 0;
   for (std::size_t s = 0; s < all.end.size(); ++s) {
     REQUIRE(outcome.values[s] == static_cast<double>(all.end[s]));
     REQUIRE(steps.values[s] == all.steps[s]);
-    fully += explored.values[s] == 2.0 ? 1 : 0;
   }
-  CHECK(fully == counts.fully_explored);
   CHECK(field(model, Layer::kVisits).values[static_cast<std::size_t>(model.goal.value)] == 1.0);
+}
+
+TEST_CASE("explored classes are counted of a method that tries actions, and unknown of one that does not") {
+  const Model paper = trained(Method::kEgMaxent);
+  const Field explored = field(paper, Layer::kExplored);
+  const auto fully = std::count(explored.values.begin(), explored.values.end(), 2.0);
+  CHECK(fully > 0);
+  CHECK(fully == exploration(paper).fully_explored);
+  const Field exact = field(trained(Method::kExact), Layer::kExplored);
+  CHECK(std::all_of(exact.values.begin(), exact.values.end(), [](double value) { return std::isnan(value); }));
 }
 
 TEST_CASE("the margin is the best known Q less the second") {

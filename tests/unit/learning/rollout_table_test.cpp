@@ -63,6 +63,8 @@ TEST_CASE("every start has one row with as many fields as the header, and the ro
   const auto rows = rows_of(csv);
   REQUIRE(rows.size() == starts.size() + 1);
   for (const auto& row : rows) REQUIRE(row.size() == rows.front().size());
+  CHECK(std::count(rows.front().begin(), rows.front().end(), "hausdorff_mm") == 1);
+  CHECK(std::count(rows.front().begin(), rows.front().end(), "dtw_mm") == 1);
   CHECK(rows.front().back() == "clearance_mm");
   CHECK(rows[1].back() == "4");
   CHECK(parse_starts(csv, model.grid).value() == starts);
@@ -130,48 +132,6 @@ TEST_CASE("sorting goes by the measure, in both directions, with unknown ones la
   }
 }
 
-TEST_CASE("the band holds the middle one of the deviations, step by step") {
-  const Model model = listed();
-  const auto rollouts = rolled_out(model, starts_around(model, 2));
-  const DeviationBand band = deviation_band(model, rollouts);
-  REQUIRE_FALSE(band.median.empty());
-  CHECK(band.count.front() == static_cast<int>(rollouts.size()));
-  for (std::size_t step = 0; step < band.median.size(); ++step) {
-    REQUIRE(band.low[step] <= band.lower[step]);
-    REQUIRE(band.lower[step] <= band.median[step]);
-    REQUIRE(band.median[step] <= band.upper[step]);
-    REQUIRE(band.upper[step] <= band.high[step]);
-    // Those that take at least so many steps.
-    REQUIRE(band.count[step] == std::count_if(rollouts.begin(), rollouts.end(),
-                                              [step](const auto& one) { return one.cells.size() > step; }));
-    REQUIRE(band.count[step] >= kLeastInBand);
-  }
-  // At the start: how far the starts are from the expert's cells, by hand.
-  std::vector<double> first;
-  for (const Rollout& one : rollouts) {
-    double nearest = 1e9;
-    for (const auto cell : model.experts.front()) {
-      nearest = std::min(nearest, (model.grid.centre(cell) - model.grid.centre(one.start)).norm());
-    }
-    first.push_back(nearest);
-  }
-  std::sort(first.begin(), first.end());
-  CHECK(band.median.front() == doctest::Approx(first[first.size() / 2]));
-  CHECK(deviation_band(model, {rollouts.front()}).median.empty());
-}
-
-TEST_CASE("the band as rows says what it holds, and how many still go on") {
-  DeviationBand band;
-  band.low = {0.0, 0.001};
-  band.lower = {0.001, 0.002};
-  band.median = {0.002, 0.0025};
-  band.upper = {0.003, 0.004};
-  band.high = {0.01, 0.0125};
-  band.count = {8, 6};
-  CHECK(band_csv(band) ==
-        "step,n,share,p05_mm,p25_mm,median_mm,p75_mm,p95_mm\n0,8,1,0,1,2,3,10\n1,6,0.75,1,2,2.5,4,12.5\n");
-}
-
 TEST_CASE("a rollout lies in ranges if every measure does, and what is not known lies in none") {
   const Model model = listed();
   const auto rollouts = rolled_out(model, starts_around(model, 2));
@@ -202,36 +162,6 @@ TEST_CASE("arrivals grow step by step to what arrives at all, each rollout count
   CHECK(by_step[by_step.size() - 2] < by_step.back());
   CHECK(by_step.back() < static_cast<int>(starts.size()));
   CHECK(arrivals_by_step(outcomes, {}) == std::vector<int>{0});
-}
-
-TEST_CASE("the spread of values is known by hand, and what is not finite is left out") {
-  const Spread spread = spread_of({4.0, 1.0, std::nan(""), 3.0, 2.0, 5.0});
-  CHECK(spread.count == 5);
-  CHECK(spread.least == 1.0);
-  CHECK(spread.low == 2.0);
-  CHECK(spread.median == 3.0);
-  CHECK(spread.high == 4.0);
-  CHECK(spread.most == 5.0);
-  CHECK(spread_of({1.0, 2.0}).median == 1.5);
-  CHECK(spread_of({std::nan("")}).count == 0);
-}
-
-TEST_CASE("worst deviations are told apart by how rollouts end") {
-  const Model model = listed(Method::kEgMaxent);
-  const auto rollouts = rolled_out(model, starts_around(model, 3));
-  const Spread arrive = worst_deviations_m(rollouts, RolloutEnd::kArrives);
-  const Spread loop = worst_deviations_m(rollouts, RolloutEnd::kLoops);
-  REQUIRE(arrive.count > 0);
-  REQUIRE(loop.count > 0);
-  int loops = 0;
-  double most = 0.0;
-  for (const Rollout& one : rollouts) {
-    if (one.end != RolloutEnd::kLoops) continue;
-    ++loops;
-    most = std::max(most, one.max_deviation_m);
-  }
-  CHECK(loop.count == loops);
-  CHECK(loop.most == most);
 }
 
 TEST_CASE("a way until a step has its cells, a part of the next one, and ends where the rollout ends") {

@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "engine/core/random.h"
 #include "engine/learning/policy.h"
@@ -33,7 +36,65 @@ Model column_model() {
   return untrained_model(grid, {{grid.index({1, 1, 2}), grid.index({1, 1, 1}), grid.index({1, 1, 0})}}, options);
 }
 
+/// The least sum over warpings of `a` from i and `b` from j on, and how many pairs it has, by trying all.
+std::pair<double, int> warped_by_hand(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b,
+                                      std::size_t i, std::size_t j) {
+  const double here = (a[i] - b[j]).norm();
+  if (i + 1 == a.size() && j + 1 == b.size()) return {here, 1};
+  std::pair<double, int> best{1e9, 0};
+  const auto take = [&](std::size_t next_i, std::size_t next_j) {
+    if (next_i == a.size() || next_j == b.size()) return;
+    const auto rest = warped_by_hand(a, b, next_i, next_j);
+    if (rest.first < best.first) best = rest;
+  };
+  take(i + 1, j + 1);
+  take(i + 1, j);
+  take(i, j + 1);
+  return {best.first + here, best.second + 1};
+}
+
 }  // namespace
+
+TEST_CASE("distances from the expert are those that trying everything finds") {
+  const Model model = column_model();
+  const spatial::Grid& grid = model.grid;
+  std::vector<std::uint8_t> policy(27, kNoAction);
+  const auto lead = [&](spatial::CellCoordinates from, Action action) {
+    policy[static_cast<std::size_t>(grid.index(from).value)] = static_cast<std::uint8_t>(action);
+  };
+  // Round the column and in from the side.
+  lead({0, 0, 2}, Action::kMinusZ);
+  lead({0, 0, 1}, Action::kMinusZ);
+  lead({0, 0, 0}, Action::kPlusX);
+  lead({1, 0, 0}, Action::kPlusY);
+  const Rollout one = rollout(model, policy, grid.index({0, 0, 2}));
+  REQUIRE(one.end == RolloutEnd::kArrives);
+  std::vector<Eigen::Vector3d> way;
+  std::vector<Eigen::Vector3d> expert;
+  for (const CellIndex cell : one.cells) way.push_back(grid.centre(cell));
+  for (const CellIndex cell : model.experts.front()) expert.push_back(grid.centre(cell));
+  const double diagonal = grid.cell_m * std::sqrt(2.0);
+  CHECK(one.hausdorff_m == doctest::Approx(diagonal));
+  CHECK(one.frechet_m == doctest::Approx(diagonal));
+  CHECK(one.max_deviation_m == doctest::Approx(diagonal));
+  const auto warped = warped_by_hand(way, expert, 0, 0);
+  CHECK(one.warped_m == doctest::Approx(warped.first / warped.second));
+  CHECK(one.warped_m < one.hausdorff_m);
+  // All but the goal are outside of a safe set of radius 0; the start is no step.
+  CHECK(one.outside_steps == 3);
+}
+
+TEST_CASE("how starts end with two models is counted pair by pair") {
+  Basin a;
+  Basin b;
+  a.end = {RolloutEnd::kArrives, RolloutEnd::kArrives, RolloutEnd::kLoops, RolloutEnd::kDeadEnd};
+  b.end = {RolloutEnd::kArrives, RolloutEnd::kLoops, RolloutEnd::kArrives, RolloutEnd::kArrives};
+  const OutcomeTable table = outcome_table(a, b, {{0}, {1}, {2}, {2}});
+  CHECK(table[0][0] == 1);
+  CHECK(table[0][1] == 1);
+  CHECK(table[1][0] == 2);
+  CHECK(table[2][0] == 0);
+}
 
 TEST_CASE("no method's policy ever leaves the lattice or steps out of the safe set") {
   CHECK(rc::check([] {

@@ -3,8 +3,11 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "engine/core/random.h"
 #include "engine/learning/rollout.h"
@@ -55,6 +58,28 @@ TEST_CASE("normal draws are as many and as wide as asked for, and the same for a
   CHECK(std::sqrt(sum / 2000.0) == doctest::Approx(0.005).epsilon(0.1));
 }
 
+TEST_CASE("a Latin hypercube draws once from each part of every axis, in the lattice or near the start") {
+  const auto drawn = started("latin:22,5");
+  REQUIRE(drawn.size() == 22);
+  CHECK(drawn == started("latin:22,5"));
+  CHECK(drawn != started("latin:22,6"));
+  std::array<std::set<int>, 3> seen;
+  for (const spatial::CellIndex cell : drawn) {
+    const spatial::CellCoordinates c = starting_model().grid.coordinates(cell);
+    seen[0].insert(c.x);
+    seen[1].insert(c.y);
+    seen[2].insert(c.z);
+  }
+  // As many parts as cells: every row of every axis, and not along a diagonal.
+  for (const auto& axis : seen) CHECK(axis.size() == 22);
+  const auto near = started("latin:500,1,2");
+  const auto around = starts_around(starting_model(), 2);
+  for (const spatial::CellIndex cell : near) REQUIRE(std::find(around.begin(), around.end(), cell) != around.end());
+  std::set<std::int32_t> cells;
+  for (const spatial::CellIndex cell : near) cells.insert(cell.value);
+  CHECK(cells.size() > 60);
+}
+
 TEST_CASE("a painted region is written in runs and read back") {
   CHECK(start_text({{9}, {3}, {4}, {5}, {4}}) == "cells:3-5,9");
   CHECK(rc::check([](std::uint64_t seed) {
@@ -89,6 +114,11 @@ TEST_CASE("what names no starts is refused in one sentence") {
                            "gaussian:5,0,1",
                            "gaussian:nan,10,1",
                            "gaussian:5,2000000,1",
+                           "latin:10",
+                           "latin:0,1",
+                           "latin:10,1,23",
+                           "latin:10,x",
+                           "latin:2000000,1",
                            "cells:",
                            "cells:1-",
                            "cells:10648",

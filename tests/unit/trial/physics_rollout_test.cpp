@@ -98,11 +98,53 @@ TEST_CASE("a file of another seed or another table is refused, with its line") {
   CHECK(parse_physics_csv(csv + "1,2\n", driven(), few(), options).error().text().find("line 3") != std::string::npos);
 }
 
+TEST_CASE("what is perturbed changes rollouts, the same way for a seed on one thread and on two") {
+  PhysicsOptions ideal;
+  const PhysicsRollouts plain = run(ideal);
+  for (const Perturbation& perturbed :
+       {Perturbation{0.3, 0.0, 0.0}, Perturbation{0.0, 0.2, 0.0}, Perturbation{0.0, 0.0, 0.002}}) {
+    PhysicsOptions options;
+    options.perturbed = perturbed;
+    options.threads = 1;
+    const PhysicsRollouts serial = run(options);
+    CHECK(serial != plain);
+    options.threads = 2;
+    CHECK(run(options) == serial);
+    CHECK_FALSE(same_runs(options, ideal));
+    const std::string csv = physics_csv(driven(), few(), options, serial);
+    CHECK(parse_physics_csv(csv, driven(), few(), options).value() == serial);
+    CHECK_FALSE(parse_physics_csv(csv, driven(), few(), ideal));
+  }
+}
+
+TEST_CASE("a late view of the tool makes it overshoot: it comes by cells again and takes longer, if it arrives") {
+  PhysicsOptions options;
+  options.perturbed.delay_s = 0.25;
+  const auto policy = learning::greedy_policy(driven());
+  const PhysicsRollout late = physics_rollout(driven(), policy, driven().start, options);
+  const PhysicsRollout ideal = physics_rollout(driven(), policy, driven().start, {});
+  REQUIRE(ideal.end == PhysicsEnd::kArrives);
+  CHECK((late.end == PhysicsEnd::kLoops || late.steps > ideal.steps));
+}
+
+TEST_CASE("rollouts of one block or segment are not those of another") {
+  PhysicsOptions options;
+  PhysicsOptions other = options;
+  other.block = 3;
+  CHECK_FALSE(same_runs(options, other));
+  PhysicsRollouts rollouts(few().size());
+  rollouts[0] = PhysicsRollout{PhysicsEnd::kLoops, 3, 0.5, 0.01, 0.0, 77};
+  CHECK_FALSE(parse_physics_csv(physics_csv(driven(), few(), options, rollouts), driven(), few(), other));
+}
+
 TEST_CASE("options out of range are refused") {
   PhysicsRollouts rollouts(few().size());
   Progress progress;
   PhysicsOptions options;
   options.threads = 0;
+  CHECK_FALSE(run_physics(driven(), few(), options, rollouts, progress));
+  options.threads = 1;
+  options.perturbed.noise_m = 1.0;
   CHECK_FALSE(run_physics(driven(), few(), options, rollouts, progress));
   PhysicsRollouts fewer(1);
   CHECK_FALSE(run_physics(driven(), few(), {}, fewer, progress));

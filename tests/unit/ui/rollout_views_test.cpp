@@ -218,14 +218,17 @@ TEST_CASE("arrivals end at the share that arrives at all, of both models if ther
 
 TEST_CASE("each end has its box of a measure, told apart by model, with the spread of its rollouts") {
   PlayedDesk desk("Spread");
-  const auto spread = learning::worst_deviations_m(desk.listed(), learning::RolloutEnd::kArrives);
+  const auto deviations = [](const learning::RolloutSpread& of, learning::RolloutEnd end) {
+    return of.of(learning::RolloutMeasure::kMaxDeviation, end).spread;
+  };
+  const auto spread = deviations(*desk.state.insight->spread, learning::RolloutEnd::kArrives);
   CHECK(desk.value("Rollouts/Boxes/Arrives").starts_with(std::to_string(spread.count) + ": "));
   CHECK_FALSE(desk.present("Rollouts/Boxes/Loops"));
   desk.state = beside_the_paper();
   desk.frames(3);
   CHECK(desk.present("Rollouts/Boxes/A arrives"));
   CHECK_FALSE(desk.present("Rollouts/Boxes/A loops"));
-  const auto loops = learning::worst_deviations_m(*desk.state.insight->second->listed, learning::RolloutEnd::kLoops);
+  const auto loops = deviations(*desk.state.insight->second->spread, learning::RolloutEnd::kLoops);
   REQUIRE(loops.count > 0);
   CHECK(desk.value("Rollouts/Boxes/B loops").starts_with(std::to_string(loops.count) + ": "));
 }
@@ -354,7 +357,7 @@ TEST_CASE("Space plays and pauses the rollouts where they are shown, and the dem
 
 TEST_CASE("the band says how many of all still go on") {
   PlayedDesk desk("Spread");
-  const auto& band = desk.state.insight->band;
+  const auto& band = desk.state.insight->spread->band;
   CHECK(desk.value("Rollouts/Deviation/Band").ends_with("40 of 40 go on"));
   const Result<Item> item = desk.driver().item("Rollouts/Deviation/Band");
   REQUIRE(item);

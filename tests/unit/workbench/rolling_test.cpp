@@ -182,10 +182,11 @@ TEST_CASE("ghosts outside of what is brushed step back, grey and thinner, and no
 TEST_CASE("the band of rollouts has a row for each step, and too few starts have none") {
   const auto entry = entry_of(learning::Method::kExact);
   const auto starts = learning::starts_around(*entry->model, 2);
-  const Result<std::string> rows = band_rows(*entry->model, starts);
+  Progress progress;
+  const Result<std::string> rows = band_rows(*entry->model, starts, progress);
   REQUIRE(rows);
   CHECK(rows->find("\n0," + std::to_string(starts.size()) + ",1,") != std::string::npos);
-  const auto few = band_rows(*entry->model, {starts[0], starts[1]});
+  const auto few = band_rows(*entry->model, {starts[0], starts[1]}, progress);
   REQUIRE_FALSE(few);
   CHECK(few.error().code() == ErrorCode::kInvalidArgument);
 }
