@@ -1,5 +1,7 @@
 #include "ui/take_keys.h"
 
+#include <array>
+
 namespace trocar::ui {
 namespace {
 
@@ -20,7 +22,8 @@ bool take_goes_on(const WorkbenchState& state) {
 }
 
 bool trial_goes_on(const WorkbenchState& state) {
-  return state.live && state.live->trial && state.trials && state.trials->request.person;
+  return state.live && state.live->trial && state.trials &&
+         (state.trials->request.person || state.trials->request.person_assists);
 }
 
 bool TakeKeys::claims(const Chord& chord, const WorkbenchState& state) {
@@ -39,13 +42,19 @@ bool TakeKeys::claims(const Chord& chord, const WorkbenchState& state) {
 
 std::vector<trial::HandEvent> TakeKeys::follow_gamepad(const std::optional<trial::GamepadLook>& pad,
                                                        const WorkbenchState& state) {
-  if (!state.take->request.gamepad) return {};
+  std::array<bool, 2> drivable{};
+  if (trial_goes_on(state)) {
+    const workbench::StartTrials& request = state.trials->request;
+    if (!request.gamepad) return {};
+    drivable = {request.person, request.person_assists};
+  } else {
+    if (!state.take->request.gamepad) return {};
+    const auto& sources = state.take->request.options.sources;
+    drivable = {sources[0] == trial::ArmSource::kHand, sources[1] == trial::ArmSource::kHand};
+  }
   const auto& arms = state.live->world.arms;
-  const auto& sources = state.take->request.options.sources;
   // One that was pulled out drives no more.
-  return stick_.look(pad ? trial::look_of(*pad) : trial::StickLook{},
-                     {sources[0] == trial::ArmSource::kHand, sources[1] == trial::ArmSource::kHand},
-                     {arms[0].X_WT.q, arms[1].X_WT.q});
+  return stick_.look(pad ? trial::look_of(*pad) : trial::StickLook{}, drivable, {arms[0].X_WT.q, arms[1].X_WT.q});
 }
 
 Requests TakeKeys::follow(const Ui& ui, const WorkbenchState& state, bool free) {
@@ -57,7 +66,7 @@ Requests TakeKeys::follow(const Ui& ui, const WorkbenchState& state, bool free) 
     keyboard_ = KeyboardHands({in_trial ? trial::HandMode::kContinuous : state.take->request.options.mode});
     stick_ = {};
   }
-  if (taking && !in_trial) events = follow_gamepad(ui.gamepad(), state);
+  if (taking) events = follow_gamepad(ui.gamepad(), state);
   if (!taking && taking_) events = keyboard_.release_all();
   taking_ = taking;
   // The left pedal: what has no keyboard any more is let go.

@@ -96,6 +96,7 @@ Json json_of(const workbench::TrialEntry& trial) {
                {"name", trial.name},
                {"mode", std::string(trial::to_string(record.mode))},
                {"operator", record.operator_kind},
+               {"assistant", record.assistant},
                {"skill", record.skill},
                {"seed", record.seed},
                {"block", record.block},
@@ -183,7 +184,7 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
   }
   if (arguments.operator_kind == "tcp") return run_live_command(file, plan, arguments.live, console);
   if (arguments.live.given()) {
-    return fail(ErrorCode::kInvalidArgument, "--listen, --wait and --realtime are for --operator tcp");
+    return fail(ErrorCode::kInvalidArgument, "--listen, --wait, --assist and --realtime are for --operator tcp");
   }
   const double begin_s = console.clock->now_s();
   std::vector<workbench::RanTrial> ran;

@@ -82,7 +82,10 @@ LiveRun run_at_1_kHz(trial::SharedControlSession& session, link::HandServer& ser
 void complete(LiveRun& run) {
   trial::TrialRecord& record = run.ran.record;
   record.interrupted = run.interrupted;
-  if (run.link.scripted) record.operator_kind = run.ran.recording.provenance.operator_kind = "scripted";
+  if (run.link.scripted) {
+    record.operator_kind = run.ran.recording.provenance.operator_kind = "scripted";
+    record.assistant = "scripted";
+  }
   if (run.link.one_clock) {
     record.counts.delay_mean_s += run.link.delay_mean_s;
     record.counts.delay_worst_s += run.link.delay_worst_s;
@@ -137,6 +140,8 @@ void bind_live(CLI::App& verb, LiveTrialArguments& arguments) {
                   "Of --operator tcp: the port, or ADDRESS:PORT; without an address only this machine is heard");
   verb.add_option("--wait", arguments.wait_s, "Of --operator tcp: so many seconds for a console to come (60)")
       ->check(CLI::Range(0.0, 86400.0));
+  verb.add_flag("--assist", arguments.assists,
+                "Of --operator tcp: the console's right hand has the right arm; else a scripted expert");
   verb.add_flag("--realtime", arguments.real_time,
                 "Of --operator tcp: ask the system for a real-time scheduler for the 1 kHz loop");
 }
@@ -150,7 +155,9 @@ Result<Answer> run_live_command(workbench::ProjectFile& file, const workbench::T
   TROCAR_ASSIGN_OR_RETURN(const link::HandServerOptions place, server_options(arguments));
   TROCAR_ASSIGN_OR_RETURN(const auto server, link::HandServer::listen(place));
   TROCAR_ASSIGN_OR_RETURN(const trial::TrialOptions options, workbench::options_of(*file.project(), plan, 0));
-  TROCAR_ASSIGN_OR_RETURN(const auto session, trial::SharedControlSession::create(options, {server.get(), nullptr}));
+  TROCAR_ASSIGN_OR_RETURN(
+      const auto session,
+      trial::SharedControlSession::create(options, {server.get(), arguments.assists ? &server->assistant() : nullptr}));
   TROCAR_RETURN_IF_ERROR(wait_for_console(*server, arguments.wait_s < 0.0 ? kUsualWait_s : arguments.wait_s, console));
   const bool granted = arguments.real_time && link::ask_for_real_time();
   if (arguments.real_time && !granted) {

@@ -13,7 +13,8 @@ struct LiveTrialArguments {
   std::string listen;      ///< "5005" or "0.0.0.0:5005".
   double wait_s = -1.0;    ///< For the console; negative: as long as usual.
   bool real_time = false;  ///< A real-time scheduler is asked for.
-  bool given() const { return !listen.empty() || wait_s >= 0.0 || real_time; }
+  bool assists = false;    ///< The console's right hand has the right arm.
+  bool given() const { return !listen.empty() || wait_s >= 0.0 || real_time || assists; }
 };
 
 void bind_live(CLI::App& verb, LiveTrialArguments& arguments);

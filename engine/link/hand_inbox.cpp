@@ -58,6 +58,7 @@ std::optional<trial::HandSample> HandInbox::take() {
   while (!waiting_.empty() && !changed) {
     changed = any_taken_ && changes_pedal(waiting_.front());
     taken_ = waiting_.front().sample();
+    assistant_ = waiting_.front().assistant_sample();
     any_taken_ = true;
     waiting_.pop_front();
   }

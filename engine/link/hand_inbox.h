@@ -29,6 +29,9 @@ class HandInbox {
   /// The same if a pedal changes by it; a hand that only moved waits.
   std::optional<trial::HandSample> take_pedal();
 
+  /// The right hand of the frame that was taken last.
+  const trial::HandSample& assistant() const { return assistant_; }
+
   /// Frames that were dropped: their sequence did not grow, or too many waited.
   std::int64_t dropped() const { return dropped_; }
   /// Frames that never came, by the gaps in the sequence.
@@ -43,6 +46,7 @@ class HandInbox {
   std::deque<HandFrame> waiting_;
   HandFrame newest_;  ///< That was put.
   trial::HandSample taken_;
+  trial::HandSample assistant_;
   std::uint32_t connection_ = 0;
   bool any_ = false;
   bool any_taken_ = false;

@@ -30,6 +30,22 @@ constexpr std::size_t kQueue = 1024;
 }  // namespace
 
 struct HandServer::Impl {
+  /// What of the frames is the right hand's.
+  class RightHand final : public trial::OperatorInput {
+   public:
+    explicit RightHand(Impl& impl) : impl_(impl) {}
+    trial::HandSample sample(const simulation::WorldState& seen) override {
+      static_cast<void>(seen);
+      impl_.drain();
+      return impl_.inbox.assistant();
+    }
+    trial::LinkState link(Tick now) override { return impl_.watchdog.state(now, monotonic_ns(), impl_.there()); }
+    std::string_view name() const override { return "TCP hand controller, right hand"; }
+
+   private:
+    Impl& impl_;
+  };
+
   Impl() : acceptor(context), waiting_socket(context), queue(kQueue) {}
 
   // --- Network thread ---------------------------------------------------------------------------------------------
@@ -168,6 +184,7 @@ struct HandServer::Impl {
 
   HandInbox inbox;
   LinkWatchdog watchdog;
+  RightHand right{*this};
   trial::HandSample last;
   std::uint32_t heard_connection = 0;
 
@@ -270,6 +287,10 @@ std::optional<trial::HandSample> HandServer::news(Tick now) {
 
 trial::LinkState HandServer::link(Tick now) {
   return impl_->watchdog.state(now, monotonic_ns(), impl_->there());
+}
+
+trial::OperatorInput& HandServer::assistant() {
+  return impl_->right;
 }
 
 }  // namespace trocar::link

@@ -38,8 +38,8 @@ struct HandServerStatus {
 };
 
 /// One console at a time; one that is silent for 2 s makes way for another. The network has a thread of its own, which
-/// the control loop never waits for. Threads: `sample`, `news`, `link`, `arrived` and `tell` by one, the control
-/// loop's; `status` by any.
+/// the control loop never waits for. Threads: `sample`, `news`, `link`, `arrived` and those of the assistant by one,
+/// the control loop's; `status` and `tell` by any.
 class HandServer final : public trial::OperatorInput {
  public:
   /// Errors: kIo where the address or port cannot be had; kInvalidArgument for what is no address.
@@ -60,6 +60,8 @@ class HandServer final : public trial::OperatorInput {
   std::optional<trial::HandSample> news(Tick now) override;
   trial::LinkState link(Tick now) override;
   std::string_view name() const override { return "TCP hand controller"; }
+  /// The right hand at the same console, for the right arm; it is as fresh as the left. Asked after the operator's.
+  trial::OperatorInput& assistant();
 
  private:
   struct Impl;

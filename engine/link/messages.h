@@ -44,8 +44,9 @@ struct HandFrame {
   std::int64_t rtt_ns = 0;  ///< Of the last answer; 0: none yet.
   bool operator==(const HandFrame&) const = default;
 
-  /// The left hand is the operator's.
+  /// The left hand and the pedals are the operator's, the right hand may be an assistant's.
   trial::HandSample sample() const { return {left.X_DH, left.grip_rad, agent_pedal, clutch_pedal}; }
+  trial::HandSample assistant_sample() const { return {right.X_DH, right.grip_rad, false, false}; }
 };
 
 /// The answer to each frame.

@@ -1,14 +1,18 @@
 #include "engine/trial/event_operator.h"
 
+#include <utility>
+
 #include "engine/control/tool_mapping.h"
 #include "engine/trial/sampling.h"
 
 namespace trocar::trial {
 
-EventOperator::EventOperator(kinematics::ArmSide side, const control::ToolCommand& start, double scale)
-    : side_(side), scale_(scale), start_(start.X_WT), hand_(HandMode::kContinuous, start) {}
+EventOperator::EventOperator(kinematics::ArmSide side, const control::ToolCommand& start, double scale,
+                             std::string name)
+    : side_(side), scale_(scale), name_(std::move(name)), start_(start.X_WT), hand_(HandMode::kContinuous, start) {}
 
 void EventOperator::take_events() {
+  const bool has_pedals = side_ == kinematics::ArmSide::kLeft;
   while (const std::optional<HandEvent> event = events_.pop()) {
     const auto of_mine = [this](const auto& each) { return each.arm == side_; };
     if (const auto* drive = std::get_if<DriveTool>(&*event); drive != nullptr && of_mine(*drive)) {
@@ -18,9 +22,9 @@ void EventOperator::take_events() {
     } else if (const auto* jaw = std::get_if<ToggleJaw>(&*event); jaw != nullptr && of_mine(*jaw)) {
       hand_.toggle_jaw();
     } else if (const auto* clutch = std::get_if<HoldClutch>(&*event)) {
-      clutch_ = clutch->down;
+      clutch_ = has_pedals && clutch->down;
     } else if (const auto* pedal = std::get_if<HoldAgentPedal>(&*event)) {
-      agent_pedal_ = pedal->down;
+      agent_pedal_ = has_pedals && pedal->down;
     }
   }
 }

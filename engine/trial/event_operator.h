@@ -1,4 +1,5 @@
-/// A person at keys, mouse or gamepad as the operator of a trial: events in, a hand on its controller out.
+/// A person at keys, mouse, gamepad or SpaceMouse as the operator of a trial, or as its assistant: events in, a hand on
+/// its controller out.
 #pragma once
 
 #include <atomic>
@@ -16,8 +17,9 @@ namespace trocar::trial {
 /// `sample` in the simulation's.
 class EventOperator final : public OperatorInput {
  public:
-  /// Of the tool of `side`, which is at `start`.
-  EventOperator(kinematics::ArmSide side, const control::ToolCommand& start, double scale);
+  /// Of the tool of `side`, which is at `start`; the pedals are those of who has the left one. `name`: of the devices.
+  EventOperator(kinematics::ArmSide side, const control::ToolCommand& start, double scale,
+                std::string name = "keyboard and mouse");
 
   /// Takes effect with the next sample. False if so much waits already that it was dropped.
   bool post(const HandEvent& event) { return events_.push(HandEvent(event)); }
@@ -25,13 +27,14 @@ class EventOperator final : public OperatorInput {
   HandSample sample(const simulation::WorldState& seen) override;
   /// The hand as it was, with the pedals as they are, if one has changed since.
   std::optional<HandSample> news(Tick now) override;
-  std::string_view name() const override { return "keyboard and mouse"; }
+  std::string_view name() const override { return name_; }
 
  private:
   void take_events();
 
   kinematics::ArmSide side_;
   double scale_;
+  std::string name_;
   spatial::Pose start_;
   ToolHand hand_;
   bool agent_pedal_ = false;

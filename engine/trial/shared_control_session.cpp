@@ -30,7 +30,6 @@ using kinematics::ArmSide;
 
 constexpr Tick kRecordedAfterwards{1000};
 constexpr double kMillisecond_s = 1e-3;
-constexpr double kAssistantScale = 0.2;  ///< From hand to tool.
 
 simulation::WorldOptions world_options(const TrialOptions& options) {
   simulation::WorldOptions world;
@@ -39,12 +38,12 @@ simulation::WorldOptions world_options(const TrialOptions& options) {
 }
 
 demonstration::Provenance provenance_of(const TrialOptions& options, const simulation::World& world,
-                                        const OperatorInput* person) {
-  const bool scripted = person == nullptr;
+                                        const TrialInputs& inputs) {
+  const bool by_skill = inputs.user == nullptr;
   demonstration::Provenance provenance;
-  provenance.operator_kind = scripted ? "scripted" : "person";
-  if (scripted) provenance.skill = to_string(options.skill);
-  provenance.device = scripted ? "scripted hand" : std::string(person->name());
+  provenance.operator_kind = by_skill || inputs.scripted ? "scripted" : "person";
+  if (by_skill) provenance.skill = to_string(options.skill);
+  provenance.device = by_skill ? "scripted hand" : std::string(inputs.user->name());
   provenance.seed = options.seed;
   provenance.block = options.block;
   provenance.goal = options.goal;
@@ -97,7 +96,7 @@ struct SharedControlSession::Impl {
   Impl(TrialOptions options_in, TrialInputs inputs)
       : options(std::move(options_in)),
         world(world_options(options)),
-        provenance(provenance_of(options, world, inputs.user)),
+        provenance(provenance_of(options, world, inputs)),
         initial_world(world.snapshot().bytes),
         task(options.block, options.goal),
         arms{SimulatedArm(world, ArmSide::kLeft), SimulatedArm(world, ArmSide::kRight)},
@@ -112,6 +111,7 @@ struct SharedControlSession::Impl {
     Assignment of_assistant = assignment_of(options, Skill::kExpert);
     of_assistant.scale = kAssistantScale;
     scripted_assistant = std::make_unique<ScriptedAssistant>(of_assistant, random.child(2));
+    scripted_hands = inputs.scripted;
     user = inputs.user != nullptr ? inputs.user : scripted_user.get();
     assistant = inputs.assistant != nullptr ? inputs.assistant : scripted_assistant.get();
     for (const AgentModel& model : options.agents) agents.emplace_back(model, options.agent_rate_hz);
@@ -194,8 +194,13 @@ struct SharedControlSession::Impl {
     look.agent_may = agent_may();
     look.fresh = left.guard().state() == control::GuardState::kMoving || !left_moves;
     look.stop = stopping;
+    look.connected = user_link.connected || !left_moves;
+    look.homed = arms[0].feedback().homed;
+    look.armed = left.guard().state() != control::GuardState::kDisarmed;
+    // What disarms an arm that was armed is a fault: it is not armed again by itself (rule 9).
+    look.fault = !look.armed;
     machine.look(look);
-    begun = true;
+    begun = begun || machine.state() == ControlState::kOperator || machine.state() == ControlState::kClutch;
     if (machine.agent_pedal().pressed) ++presses, log(TrialEventKind::kPedal, "agent pedal down");
     if (machine.agent_pedal().released) log(TrialEventKind::kPedal, "agent pedal up");
     if (machine.clutch_pedal().pressed) log(TrialEventKind::kPedal, "clutch down");
@@ -298,6 +303,7 @@ struct SharedControlSession::Impl {
 
   void step() {
     stopping = stop_asked.exchange(false);
+    if (fault_asked.exchange(false)) arms[0].play(control::OperatingState::kFault);
     while (std::optional<std::string> incident = incidents.pop()) log(TrialEventKind::kIncident, std::move(*incident));
     if (sub == 0) {
       ask_inputs();
@@ -308,10 +314,12 @@ struct SharedControlSession::Impl {
     line.receive(now());
     if (!anybody && line.any()) left.take_over(line.sample());
     look(0, heard());
-    look(1, {true, line.any(), now()});
+    const LinkState assistant_link = assistant->link(now());
+    look(1, {assistant_link.connected, assistant_link.present && line.any(), assistant_link.stamp});
     left_moves = left_moves || left.guard().state() == control::GuardState::kMoving;
     look_at_authority();
     if (stopping && !stopped) end_by_stop();
+    if (left.guard().state() == control::GuardState::kDisarmed && !stopped && !faulted) end_by_fault();
     const bool cuts = machine.changed() && sub != 0;
     if (cuts) cut();
     if (machine.changed()) hand_over();
@@ -339,6 +347,13 @@ struct SharedControlSession::Impl {
     log(TrialEventKind::kOutcome, "stopped");
   }
 
+  void end_by_fault() {
+    faulted = true;
+    ended_by_hand = true;
+    ends_at = Tick{now().count + kRecordedAfterwards.count};
+    log(TrialEventKind::kOutcome, "fault: " + left.guard().reason_text());
+  }
+
   // --- The record -------------------------------------------------------------------------------------------------
 
   void log(TrialEventKind kind, std::string text) { events.push_back({now().count, kind, std::move(text)}); }
@@ -359,7 +374,8 @@ struct SharedControlSession::Impl {
     return over ? authority_in(ControlState::kOperator, task.segment()) : authority_in(machine.state(), task.segment());
   }
   Outcome outcome() const {
-    return stopped && task.outcome() == Outcome::kUnfinished ? Outcome::kAborted : task.outcome();
+    if (task.outcome() != Outcome::kUnfinished) return task.outcome();
+    return faulted ? Outcome::kFault : stopped ? Outcome::kAborted : Outcome::kUnfinished;
   }
 
   demonstration::Sample sample_of(const std::array<ToolCommand, 2>& setpoints) const {
@@ -440,6 +456,8 @@ struct SharedControlSession::Impl {
   bool begun = false;
   bool left_moves = false;
   bool stopped = false;
+  bool faulted = false;
+  bool scripted_hands = false;  ///< What moves them is no person.
   bool stopping = false;
   bool ended_by_hand = false;
   bool ended = false;
@@ -455,6 +473,7 @@ struct SharedControlSession::Impl {
   std::vector<demonstration::HashMark> marks;
   std::vector<TrialEvent> events;
   std::atomic<bool> stop_asked{false};
+  std::atomic<bool> fault_asked{false};
   SpscQueue<std::string> incidents{64};
 };
 
@@ -475,6 +494,12 @@ const demonstration::Provenance& SharedControlSession::provenance() const {
 }
 void SharedControlSession::stop() {
   impl_->stop_asked.store(true);
+}
+std::string_view SharedControlSession::assistant_kind() const {
+  return impl_->scripted_hands || impl_->assistant == impl_->scripted_assistant.get() ? "scripted" : "person";
+}
+void SharedControlSession::play_fault() {
+  impl_->fault_asked.store(true);
 }
 void SharedControlSession::mark_incident(std::string text) {
   static_cast<void>(impl_->incidents.push(std::move(text)));

@@ -9,16 +9,21 @@
 
 namespace trocar::trial {
 
+/// From the assistant's hand to the right tool.
+constexpr double kAssistantScale = 0.2;
+
 /// Where the operator's hand and pedals come from, if not from the script.
 struct TrialInputs {
   OperatorInput* user = nullptr;       ///< Null: the scripted operator of the options' skill.
   OperatorInput* assistant = nullptr;  ///< Null: the scripted expert.
+  bool scripted = false;               ///< What moves them says that no person does: never to be passed off as one's.
 };
 
 /// Both arms' inputs are asked every 5 ticks; pedals take effect in the tick in which they arrive, in between too: the
 /// recording then has a sample at that tick, so that a replay of the setpoints is exact. Ends a moment after operator
-/// and assistant have done their part, or after a drop, at the time limit, or when it is stopped. Deterministic with
-/// scripted inputs: the same options give the same samples, hashes and events. Threads: one at a time.
+/// and assistant have done their part, or after a drop or a fault, at the time limit, or when it is stopped.
+/// Deterministic with scripted inputs: the same options give the same samples, hashes and events. Threads: one at a
+/// time.
 class SharedControlSession final : public LiveSession {
  public:
   /// Errors: kInvalidArgument for a block or goal outside of 0 … 5, a time limit, scale or rate out of range, or a
@@ -27,10 +32,14 @@ class SharedControlSession final : public LiveSession {
   ~SharedControlSession() override;
 
   const TrialOptions& options() const;
+  /// "scripted" or "person": who has the right arm.
+  std::string_view assistant_kind() const;
   const demonstration::Provenance& provenance() const;
 
   /// From any other thread as well: takes effect in the next tick.
   void stop();
+  /// The left arm says FAULT from the next tick on, as a physical one might: the trial ends by a fault. Likewise.
+  void play_fault();
   /// Marks an instant for review; likewise.
   void mark_incident(std::string text);
 

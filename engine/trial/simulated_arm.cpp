@@ -15,7 +15,7 @@ control::ArmFeedback SimulatedArm::feedback() const {
   feedback.stamp = Tick{state.tick.count + 1};
   feedback.measured_cp = arm.X_WT;
   feedback.measured_jaw_rad = arm.jaw_rad;
-  feedback.operating_state = control::OperatingState::kEnabled;
+  feedback.operating_state = operating_state_;
   feedback.homed = true;
   return feedback;
 }

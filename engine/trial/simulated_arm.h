@@ -16,11 +16,14 @@ class SimulatedArm final : public control::Arm {
   control::ToolCommand setpoint_cp() const override;
   Status servo_cp(const control::ToolCommand& setpoint) override;
   Status reaches(const spatial::Pose& X_WT) const override;
+  /// What a simulated arm never says by itself: somebody plays a fault, a pause, a disable.
+  void play(control::OperatingState state) { operating_state_ = state; }
 
  private:
   simulation::World* world_;
   kinematics::ArmSide side_;
   kinematics::PsmModel model_;
+  control::OperatingState operating_state_ = control::OperatingState::kEnabled;
 };
 
 }  // namespace trocar::trial

@@ -40,6 +40,7 @@ StickLook look_of(const GamepadLook& pad) {
   look.turn_W = {0.0, 0.0, -axis(2)};
   look.jaw = down(pad, 0);
   look.clutch = down(pad, 1);
+  look.agent = down(pad, 4);
   look.other_arm = down(pad, 3);
   look.fine = down(pad, 5);
   return look;
@@ -76,6 +77,7 @@ std::vector<HandEvent> StickHands::look(const StickLook& now, const std::array<b
   }
   if (now.jaw && !last_.jaw) events.emplace_back(ToggleJaw{arm_});
   if (now.clutch != last_.clutch) events.emplace_back(HoldClutch{now.clutch});
+  if (now.agent != last_.agent) events.emplace_back(HoldAgentPedal{now.agent});
   last_ = now;
   return events;
 }

@@ -22,11 +22,12 @@ struct StickLook {
   Eigen::Vector3d turn_W{0.0, 0.0, 0.0};
   bool jaw = false;
   bool clutch = false;
+  bool agent = false;  ///< The left pedal of a trial.
   bool other_arm = false;
   bool fine = false;
 };
 /// Left stick: left, right, away and towards; right stick: up, down and turn; A jaws, B clutch, Y the other arm, right
-/// bumper fine.
+/// bumper fine, left bumper the agent's pedal.
 StickLook look_of(const GamepadLook& pad);
 /// A SpaceMouse's axes as libspnav has them (x right, y up, z away, ±350 at most, and turns about these) and its
 /// buttons: the first is the jaws, the second the other arm.

@@ -138,6 +138,7 @@ std::string to_json(const TrialRecord& record) {
   json object = {{"mode", to_string(record.mode)},
                  {"operator", record.operator_kind},
                  {"skill", record.skill},
+                 {"assistant", record.assistant},
                  {"subject", record.subject},
                  {"session", record.session},
                  {"block_number", record.block_number},
@@ -184,6 +185,7 @@ Result<TrialRecord> record_from_json(std::string_view text) {
   reader.read("mode", mode);
   reader.read("operator", record.operator_kind);
   reader.read("skill", record.skill);
+  reader.read("assistant", record.assistant);
   reader.read("subject", record.subject);
   reader.read("session", record.session);
   reader.read("block_number", record.block_number);

@@ -26,11 +26,12 @@ struct TrialRecord {
   Mode mode = Mode::kManual;
   std::string operator_kind;  ///< "scripted" or "person": what a script made is never passed off as a person's.
   std::string skill;          ///< Of a scripted operator.
-  std::string subject;        ///< An id, never a name; "" of a script.
-  std::string session;        ///< What was run together has the same.
-  int block_number = 0;       ///< Of the protocol, from 0.
-  int transfer = 0;           ///< In its block, from 0.
-  bool in_results = true;     ///< Familiarisation is not.
+  std::string assistant = "scripted";  ///< Likewise "scripted" or "person": who has the right arm.
+  std::string subject;                 ///< An id, never a name; "" of a script.
+  std::string session;                 ///< What was run together has the same.
+  int block_number = 0;                ///< Of the protocol, from 0.
+  int transfer = 0;                    ///< In its block, from 0.
+  bool in_results = true;              ///< Familiarisation is not.
   std::uint64_t seed = 0;
   int block = 0;
   int goal = 0;

@@ -265,10 +265,16 @@ struct JudgeTake {
 /// The blocks of a protocol, one after the other, each started by the operator; without a protocol one block of
 /// `plan.transfers`.
 struct StartTrials {
-  TrialPlan plan;          ///< Of every block; mode and delay are the block's.
-  std::string protocol;    ///< As `trial::find_protocol` takes it; "": none.
-  int subject_number = 0;  ///< For the order of blocks, with the plan's seed.
-  bool person = false;     ///< At the keyboard; else the scripted operator of the plan's skill.
+  TrialPlan plan;               ///< Of every block; mode and delay are the block's.
+  std::string protocol;         ///< As `trial::find_protocol` takes it; "": none.
+  int subject_number = 0;       ///< For the order of blocks, with the plan's seed.
+  bool person = false;          ///< At keys, mouse and sticks; else the scripted operator of the plan's skill.
+  bool person_assists = false;  ///< A second one has the right arm; else the scripted expert.
+  bool gamepad = false;         ///< Drives too, with the pedals on its bumpers and buttons.
+  bool space_mouse = false;     ///< Likewise; trials without it are begun if it has gone.
+  /// Instead of keys and mouse a console over TCP that comes to this port (0: any that is free), for the left arm, and
+  /// with `person_assists` its right hand for the right one.
+  std::optional<std::uint16_t> console_port;
   bool realtime = true;
 };
 /// The next block of those that were prepared.

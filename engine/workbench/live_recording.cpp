@@ -35,13 +35,19 @@ Result<std::unique_ptr<LiveRecording>> LiveRecording::start(ProjectFile& file, c
 
 Result<std::unique_ptr<LiveRecording>> LiveRecording::start(ProjectFile& file, const TrialStart& request) {
   TROCAR_ASSIGN_OR_RETURN(trial::TrialOptions options, options_of(*file.project(), request.plan, request.transfer));
-  Trial trial{request, nullptr, nullptr, {}, {}};
-  trial::TrialInputs inputs;
+  Trial trial{request, nullptr, nullptr, nullptr, {}, {}};
+  trial::TrialInputs inputs{request.user, request.assistant, request.scripted};
+  const auto person_at = [](kinematics::ArmSide side, double scale) {
+    const control::ToolCommand ready{kinematics::ready_pose(side), 0.0};
+    return std::make_unique<trial::EventOperator>(side, ready, scale);
+  };
   if (request.person) {
-    const spatial::Pose ready = kinematics::ready_pose(kinematics::ArmSide::kLeft);
-    trial.person = std::make_unique<trial::EventOperator>(kinematics::ArmSide::kLeft, control::ToolCommand{ready, 0.0},
-                                                          options.scale);
+    trial.person = person_at(kinematics::ArmSide::kLeft, options.scale);
     inputs.user = trial.person.get();
+  }
+  if (request.person_assists) {
+    trial.assistant = person_at(kinematics::ArmSide::kRight, trial::kAssistantScale);
+    inputs.assistant = trial.assistant.get();
   }
   TROCAR_ASSIGN_OR_RETURN(auto session, trial::SharedControlSession::create(std::move(options), inputs));
   trial.session = session.get();
@@ -65,8 +71,11 @@ void LiveRecording::mark_incident(std::string text) {
 }
 
 void LiveRecording::post(const HandInput& input) {
-  if (trial_ && trial_->person) {
-    for (const trial::HandEvent& event : input.events) trial_->person->post(event);
+  if (trial_) {
+    for (trial::EventOperator* person : {trial_->person.get(), trial_->assistant.get()}) {
+      if (person == nullptr) continue;
+      for (const trial::HandEvent& event : input.events) person->post(event);
+    }
   }
   if (hand_ == nullptr) return;
   for (const trial::HandEvent& event : input.events) hand_->post(event);

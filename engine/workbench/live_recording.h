@@ -22,7 +22,11 @@ namespace trocar::workbench {
 struct TrialStart {
   TrialPlan plan;
   int transfer = 0;
-  bool person = false;  ///< At the keyboard; else the plan's scripted operator.
+  bool person = false;                   ///< At keyboard, mouse and sticks; else the plan's scripted operator.
+  bool person_assists = false;           ///< A second one has the right arm; else the scripted expert.
+  trial::OperatorInput* user = nullptr;  ///< Instead of `person`: who comes from elsewhere; must outlive the trial.
+  trial::OperatorInput* assistant = nullptr;  ///< Likewise.
+  bool scripted = false;                      ///< These say of themselves that no person moves them.
   bool realtime = true;
 };
 
@@ -77,6 +81,7 @@ class LiveRecording {
     TrialStart request;
     trial::SharedControlSession* session = nullptr;  ///< The runner's.
     std::unique_ptr<trial::EventOperator> person;
+    std::unique_ptr<trial::EventOperator> assistant;
     std::vector<demonstration::Sample> samples;
     std::vector<trial::TrialEvent> events;
   };

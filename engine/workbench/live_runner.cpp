@@ -25,15 +25,20 @@ std::optional<LiveBatch> LiveRunner::take() {
 }
 
 void LiveRunner::run(const std::stop_token& stop) {
-  // A hand feels what it does after a hundredth of a second at the latest.
   const int steps_per_batch = realtime_ ? 10 : 50;
+  constexpr double kTick_s = 1e-3;
   constexpr double kMostBehind_s = 0.25;
   const SteadyClock::time_point begin = SteadyClock::now();
   const auto wall_now_s = [begin] { return duration<double>(SteadyClock::now() - begin).count(); };
   double due_s = 0.0;
   while (!stop.stop_requested()) {
     const bool stopping = stopping_.load(std::memory_order_relaxed);
-    for (int step = 0; step < steps_per_batch && !stopping && !session_->done(); ++step) session_->step();
+    for (int step = 0; step < steps_per_batch && !stopping && !session_->done(); ++step) {
+      session_->step();
+      // Each tick in its own time: what a person does, a pedal let go say, is heard by the next one.
+      const double ahead_s = due_s + (step + 1) * kTick_s - wall_now_s();
+      if (realtime_ && ahead_s > 0.0) std::this_thread::sleep_for(duration<double>(ahead_s));
+    }
     LiveBatch batch{take_part(*session_), stopping || session_->done(), session_->outcome(), session_->placed()};
     if (stopping && !session_->done()) batch.outcome = demonstration::Outcome::kAborted;
     count(batch.part);
@@ -41,9 +46,7 @@ void LiveRunner::run(const std::stop_token& stop) {
 
     const bool last = batch.last;
     if (!hand_over(std::move(batch), stop) || last) return;
-    due_s = std::max(due_s + steps_per_batch * 1e-3, wall_now_s() - kMostBehind_s);
-    const double ahead_s = due_s - wall_now_s();
-    if (realtime_ && ahead_s > 0.0) std::this_thread::sleep_for(duration<double>(ahead_s));
+    due_s = std::max(due_s + steps_per_batch * kTick_s, wall_now_s() - kMostBehind_s);
   }
 }
 

@@ -219,6 +219,7 @@ bool Workbench::Impl::poll() {
   last_poll_s = now_s;
   advance_playhead(elapsed_s);
   poll_recording();
+  poll_console();
   poll_jobs();
   retry_writes();
   poll_import();

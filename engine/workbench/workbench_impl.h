@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/device/space_mouse.h"
+#include "engine/link/hand_server.h"
 #include "engine/trial/stick_hands.h"
 #include "engine/workbench/job_runner.h"
 #include "engine/workbench/latest_worker.h"
@@ -145,13 +146,19 @@ struct Workbench::Impl {
   void poll_recording();
   /// The next transfer of the block, or its end.
   void go_on_with_trials();
+  /// Why no trials can be begun for want of disk; "" if they can.
+  std::string no_room() const;
   void begin_transfer();
+  /// What is told of the console, and the transfer that waits for it.
+  void poll_console();
   void conclude_transfer(const LiveRecording::End& end);
   /// A take can begin: a project is open, none goes on, and nothing is on its way into the document; else it is said.
   bool can_record();
   /// How much room is left where the project is, now and then.
   void look_at_disk();
   /// What the SpaceMouse does to the tools, if it drives.
+  /// The arms that a person drives now, by `kinematics::index_of`.
+  std::array<bool, 2> driven_by_hand() const;
   void follow_space_mouse();
   bool poll();
   void poll_jobs();
@@ -160,7 +167,8 @@ struct Workbench::Impl {
 
   Options options;
   WorkbenchState state;
-  std::shared_ptr<ProjectFile> file;  ///< Shared with jobs that will commit to it.
+  std::shared_ptr<ProjectFile> file;              ///< Shared with jobs that will commit to it.
+  std::unique_ptr<link::HandServer> hand_server;  ///< Of trials by a console; outlives `recording`.
   std::unique_ptr<LiveRecording> recording;
   std::optional<device::SpaceMouse> space_mouse;
   trial::StickHands space_mouse_hand;

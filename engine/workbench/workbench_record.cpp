@@ -60,13 +60,21 @@ void Workbench::Impl::on(const FindDevices&) {
   if (found) space_mouse.emplace(std::move(*found));
 }
 
+std::array<bool, 2> Workbench::Impl::driven_by_hand() const {
+  if (state.take) {
+    const auto& sources = state.take->request.options.sources;
+    return {sources[0] == trial::ArmSource::kHand, sources[1] == trial::ArmSource::kHand};
+  }
+  return {state.trials && state.trials->request.person, state.trials && state.trials->request.person_assists};
+}
+
 void Workbench::Impl::follow_space_mouse() {
-  if (!space_mouse || !state.take || !state.take->request.space_mouse || state.take->reviewing) return;
+  const bool of_take = state.take && state.take->request.space_mouse && !state.take->reviewing;
+  const bool of_trial = state.trials && state.trials->request.space_mouse;
+  if (!space_mouse || (!of_take && !of_trial)) return;
   const device::SpaceMouseLook look = space_mouse->look();
   const auto& arms = recording->view().world.arms;
-  const auto& sources = state.take->request.options.sources;
-  recording->post({space_mouse_hand.look(trial::look_of_space_mouse(look.axes, look.buttons),
-                                         {sources[0] == trial::ArmSource::kHand, sources[1] == trial::ArmSource::kHand},
+  recording->post({space_mouse_hand.look(trial::look_of_space_mouse(look.axes, look.buttons), driven_by_hand(),
                                          {arms[0].X_WT.q, arms[1].X_WT.q})});
 }
 

@@ -13,14 +13,21 @@
 namespace trocar::workbench {
 
 std::string_view to_string(TrialsPhase phase) {
-  constexpr std::array<std::string_view, 5> kNames{"ready", "running", "paused", "resting", "done"};
+  constexpr std::array<std::string_view, 6> kNames{"ready", "running", "paused", "resting", "done", "waiting"};
   return kNames[static_cast<std::size_t>(phase)];
 }
 
 void Workbench::Impl::on(const StartTrials& command) {
   if (!can_record()) return;
+  if (const std::string why = no_room(); !why.empty()) return log(Severity::kError, why);
   TrialsView trials;
   trials.request = command;
+  if (command.space_mouse) on(FindDevices{});
+  if (command.space_mouse && !space_mouse) {
+    trials.request.space_mouse = false;
+    log(Severity::kWarning, state.space_mouse_missing);
+  }
+  space_mouse_hand = {};
   if (command.protocol.empty()) {
     trial::ProtocolBlock block;
     block.name = command.plan.options.mode == trial::Mode::kShared ? "Shared control" : "Manual";
@@ -49,6 +56,14 @@ void Workbench::Impl::on(const StartTrials& command) {
     }
   }
   if (trials.request.plan.session.empty()) trials.request.plan.session = iso_time(options.clock->unix_s());
+  hand_server.reset();
+  if (command.console_port) {
+    auto server = link::HandServer::listen({"0.0.0.0", *command.console_port});
+    if (!server) return log(Severity::kError, server.error().text());
+    hand_server = std::move(*server);
+    trials.console = ConsoleView{};
+    trials.console->port = hand_server->port();
+  }
   trials_end_asked = false;
   state.trials = std::move(trials);
   state.play_speed = 0.0;
@@ -56,11 +71,23 @@ void Workbench::Impl::on(const StartTrials& command) {
   on(StartBlock{});
 }
 
+/// A session that ends because the disk is full is a day lost.
+std::string Workbench::Impl::no_room() const {
+  constexpr std::uintmax_t kLeast_bytes = 1'000'000'000;
+  std::error_code failed;
+  const std::filesystem::space_info space = std::filesystem::space(file->path(), failed);
+  if (failed || space.available >= kLeast_bytes) return "";
+  return fmt::format("Trials need 1 GB of free disk, and there are {:.0f} MB",
+                     1e-6 * static_cast<double>(space.available));
+}
+
 void Workbench::Impl::on(const StartBlock&) {
   if (!state.trials || recording) return;
   TrialsView& trials = *state.trials;
   trials.paused = false;
-  if (trials.phase == TrialsPhase::kDone || trials.block >= static_cast<int>(trials.blocks.size())) return;
+  if (trials.phase == TrialsPhase::kDone || trials.phase == TrialsPhase::kWaiting ||
+      trials.block >= static_cast<int>(trials.blocks.size()))
+    return;
   if (trials.phase != TrialsPhase::kPaused) {
     trials.transfer = trials.successes = trials.drops = 0;
     trials.block_s = 0.0;
@@ -74,11 +101,22 @@ void Workbench::Impl::begin_transfer() {
     return;
   }
   TrialsView& trials = *state.trials;
+  if (hand_server && !hand_server->arrived()) {
+    trials.phase = TrialsPhase::kWaiting;
+    return;
+  }
   TrialStart start;
   // The delays were looked at when the trials were prepared.
   start.plan = plan_of(trials.request.plan, trials.blocks, static_cast<std::size_t>(trials.block)).value();
   start.transfer = trials.transfer;
   start.person = trials.request.person;
+  start.person_assists = trials.request.person_assists;
+  if (hand_server) {
+    start.user = hand_server.get();
+    start.scripted = hand_server->status().scripted;
+    start.assistant = start.person_assists ? &hand_server->assistant() : nullptr;
+    start.person = start.person_assists = false;
+  }
   start.realtime = trials.request.realtime;
   auto started = LiveRecording::start(*file, start);
   if (!started) {
@@ -88,6 +126,23 @@ void Workbench::Impl::begin_transfer() {
   recording = std::move(*started);
   trials.phase = TrialsPhase::kRunning;
   on(EndPreview{});
+}
+
+void Workbench::Impl::poll_console() {
+  if (!hand_server) return;
+  if (!state.trials) {
+    if (!recording) hand_server.reset();
+    return;
+  }
+  const link::HandServerStatus status = hand_server->status();
+  ConsoleView view{state.trials->console->port, status.connected, status.peer,   status.scripted, status.one_clock,
+                   status.delay_p95_s,          status.rtt_p95_s, status.frames, status.lost,     status.malformed};
+  dirty = dirty || status.frames != state.trials->console->frames || status.connected != state.trials->console->there;
+  state.trials->console = std::move(view);
+  if (recording && state.live && state.live->trial) hand_server->tell(state.live->trial->state);
+  if (state.trials->phase == TrialsPhase::kWaiting && !recording && !state.trials->paused && hand_server->arrived()) {
+    begin_transfer();
+  }
 }
 
 void Workbench::Impl::conclude_transfer(const LiveRecording::End& end) {
@@ -132,7 +187,8 @@ void Workbench::Impl::on(const PauseTrials& command) {
   if (!state.trials) return;
   state.trials->paused = command.paused;
   dirty = true;
-  if (!command.paused && state.trials->phase == TrialsPhase::kPaused && !recording) begin_transfer();
+  const bool waits = state.trials->phase == TrialsPhase::kPaused || state.trials->phase == TrialsPhase::kWaiting;
+  if (!command.paused && waits && !recording) begin_transfer();
 }
 
 void Workbench::Impl::on(const StopTrial&) {

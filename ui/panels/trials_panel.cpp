@@ -57,9 +57,14 @@ workbench::StartTrials TrialsPanel::request() const {
   plan.same_block = !in_turn_;
   start.protocol = kProtocols[static_cast<std::size_t>(protocol_)];
   start.person = operator_ == 1;
-  if (start.person) plan.subject = fmt::format("S{}", subject_);
+  if (operator_ != 0) plan.subject = fmt::format("S{}", subject_);
   start.subject_number = static_cast<int>(subject_ - 1);
-  start.realtime = start.person || realtime_;
+  start.person_assists = assistant_ == 1;
+  if (operator_ == 2) start.console_port = static_cast<std::uint16_t>(port_);
+  const bool here = anybody() && operator_ != 2;
+  start.gamepad = here && gamepad_;
+  start.space_mouse = here && space_mouse_;
+  start.realtime = anybody() || realtime_;
   return start;
 }
 
@@ -73,25 +78,59 @@ std::string TrialsPanel::reason(const WorkbenchState& state) const {
   return shared && !any ? "Shared control needs a model: train one of segment A or C" : "";
 }
 
-void TrialsPanel::draw_who(Ui& ui) {
-  static const std::vector<std::string> kOperators{"Script", "Person"};
+void TrialsPanel::draw_who(Ui& ui, const WorkbenchState& state) {
+  static const std::vector<std::string> kOperators{"Script", "Person", "Console"};
+  static const std::vector<std::string> kAssistants{"Script", "Person"};
+  static const std::vector<std::string> kAtConsole{"Script", "Right hand"};
   static const std::vector<std::string> kSkills{"expert", "trained", "novice"};
   form_label(ui, "Operator");
   segmented(ui, "Operator", operator_, kOperators,
-            {.help = "A script, whose trials are marked as scripted everywhere; or a person at the keys"});
+            {.help = "A script, whose trials are marked as scripted everywhere; a person here; or a console over TCP"});
   if (operator_ == 0) {
     form_label(ui, "Skill");
     combo(ui, "Skill", skill_, kSkills, {.help = "How well the script sees, aims and holds"});
+  } else {
+    form_label(ui, "Subject");
+    number_field(ui, "Subject", subject_, 1, 9999,
+                 {.help = "A number, never a name; it decides the order of blocks too"});
+  }
+  form_label(ui, "Assistant");
+  segmented(ui, "Assistant", assistant_, operator_ == 2 ? kAtConsole : kAssistants,
+            {.help = "Who has the right arm, takes the block over and places it"});
+  if (operator_ == 0 && assistant_ == 0) {
     checkbox(ui, "In real time", realtime_, {.help = "To be watched; else as fast as it goes"});
     return;
   }
-  form_label(ui, "Subject");
-  number_field(ui, "Subject", subject_, 1, 9999,
-               {.help = "A number, never a name; it decides the order of blocks too"});
-  wrapped_text(ui,
-               "W S, A D, Q E move the left tool, Z X turn it, C opens and shuts its jaws, V is the clutch. Hold Space "
-               "for the agent.",
-               ui.theme().text_dim);
+  if (operator_ == 2) {
+    form_label(ui, "Port");
+    number_field(ui, "Port", port_, 0, 65535, {.help = "Where a console may come to; 0: any that is free"});
+    wrapped_text(ui, fmt::format("trocar-console --connect HOST:{} sends a hand controller's poses and pedals", port_),
+                 ui.theme().text_dim);
+    return;
+  }
+  draw_devices(ui, state);
+}
+
+void TrialsPanel::draw_devices(Ui& ui, const WorkbenchState& state) {
+  form_label(ui, "Drive by");
+  checkbox(ui, "Gamepad", gamepad_,
+           {.help = "Left stick, right stick; A jaws, B clutch, left bumper the agent, Y the other arm",
+            .reason = ui.gamepad() ? "" : "No gamepad is connected"});
+  flow(ui.px(110), ui.px(14));
+  checkbox(ui, "SpaceMouse", space_mouse_,
+           {.help = "Push and turn; its first button is the jaws", .reason = state.space_mouse_missing});
+  std::string keys;
+  if (operator_ == 1) {
+    keys =
+        "W S, A D, Q E move the left tool, Z X turn it, C opens and shuts its jaws, V is the clutch. Hold Space for "
+        "the "
+        "agent.";
+  }
+  if (assistant_ == 1) {
+    if (!keys.empty()) keys += " ";
+    keys += "I K, J L, U O move the right tool, M and comma turn it, N opens and shuts its jaws.";
+  }
+  wrapped_text(ui, keys, ui.theme().text_dim);
 }
 
 void TrialsPanel::draw_how(Ui& ui) {
@@ -113,6 +152,8 @@ void TrialsPanel::draw_how(Ui& ui) {
 
 void TrialsPanel::draw_setup(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "Setup");
+  if (anybody() && !looked_) requests.emplace_back(Command{workbench::FindDevices{}});
+  looked_ = anybody();
   static const std::vector<std::string> kModes{"MT  manual", "SC  shared"};
   heading(ui, "What is run");
   form_label(ui, "Protocol");
@@ -124,7 +165,7 @@ void TrialsPanel::draw_setup(Ui& ui, const WorkbenchState& state, Requests& requ
     number_field(ui, "Transfers", transfers_, 1, 1000, {.help = "One after the other"});
   }
   heading(ui, "By whom");
-  draw_who(ui);
+  draw_who(ui, state);
   heading(ui, "How");
   draw_how(ui);
   ImGui::Dummy({0.0F, ui.px(6)});
@@ -165,6 +206,20 @@ void TrialsPanel::draw_live(Ui& ui, const WorkbenchState& state) {
   ui.animate();
 }
 
+void TrialsPanel::draw_console(Ui& ui, const workbench::ConsoleView& console) {
+  const Scope scope(ui, "Console");
+  if (!console.there) {
+    badge(ui, icon::kClock, fmt::format("waiting for a console at port {}", console.port), ui.theme().warning,
+          "trocar-console --connect HOST:PORT");
+    return;
+  }
+  fact(ui, "Console", console.peer + (console.scripted ? ", scripted" : ""));
+  if (console.one_clock) fact(ui, "Latency, p95", fmt::format("{:.1f} ms", 1e3 * console.delay_p95_s));
+  fact(ui, "There and back, p95", fmt::format("{:.1f} ms", 1e3 * console.rtt_p95_s));
+  fact(ui, "Frames, lost, malformed",
+       fmt::format("{}, {}, {}", count(console.frames), count(console.lost), count(console.malformed)));
+}
+
 void TrialsPanel::draw_runner(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "Runner");
   const workbench::TrialsView& view = *state.trials;
@@ -181,6 +236,7 @@ void TrialsPanel::draw_runner(Ui& ui, const WorkbenchState& state, Requests& req
     heading(ui, "All blocks are over");
   }
   fact(ui, "Transfers", fmt::format("{}: {} succeed, {} dropped", view.transfer, view.successes, view.drops));
+  if (view.console) draw_console(ui, *view.console);
   if (state.live && state.live->trial && !over) draw_live(ui, state);
   if (view.phase == TrialsPhase::kResting) {
     badge(ui, icon::kClock, fmt::format("Rest {:.0f} s", view.rest_s), ui.theme().accent, "Then start the next block");

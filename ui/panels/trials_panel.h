@@ -15,8 +15,12 @@ class TrialsPanel final : public Panel {
 
  private:
   void draw_setup(Ui& ui, const WorkbenchState& state, Requests& requests);
-  void draw_who(Ui& ui);
+  void draw_who(Ui& ui, const WorkbenchState& state);
+  void draw_devices(Ui& ui, const WorkbenchState& state);
+  /// Somebody moves an arm who is no script.
+  bool anybody() const { return operator_ != 0 || assistant_ != 0; }
   void draw_how(Ui& ui);
+  void draw_console(Ui& ui, const workbench::ConsoleView& console);
   void draw_runner(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_live(Ui& ui, const WorkbenchState& state);
   void draw_list(Ui& ui, const WorkbenchState& state, Requests& requests);
@@ -29,7 +33,12 @@ class TrialsPanel final : public Panel {
   int page_ = 0;
   int protocol_ = 0;
   int mode_ = 1;
-  int operator_ = 0;
+  int operator_ = 0;   ///< 0 script, 1 person, 2 console.
+  int assistant_ = 0;  ///< Likewise 0 or 1; of a console its right hand.
+  bool gamepad_ = false;
+  bool space_mouse_ = false;
+  bool looked_ = false;  ///< For devices.
+  std::int64_t port_ = 5005;
   int skill_ = 0;
   int anchor_ = 0;
   std::int64_t transfers_ = 6;

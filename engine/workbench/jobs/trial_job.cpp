@@ -113,6 +113,7 @@ trial::TrialRecord record_of(trial::SharedControlSession& session, const TrialPl
   record.mode = options.mode;
   record.operator_kind = session.provenance().operator_kind;
   record.skill = session.provenance().skill;
+  record.assistant = session.assistant_kind();
   record.subject = plan.subject;
   record.session = plan.session;
   record.block_number = plan.block_number;
