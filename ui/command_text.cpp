@@ -128,7 +128,8 @@ std::string plot_text(const ExportPlot& command, const WorkbenchState& state, co
 }
 
 std::string field_text(const ExportField& command, const std::string& project) {
-  const std::string what = command.slice.empty() ? "--montage" : "--slice " + command.slice;
+  std::string what = command.slice.empty() ? "--montage" : "--slice " + command.slice;
+  if (command.slab > 1) what += fmt::format(" --slab {} --through {}", command.slab, to_string(command.through));
   std::string look;
   if (command.look.scale) look += fmt::format(" --scale {}", plot::to_string(*command.look.scale));
   if (command.look.map) look += fmt::format(" --map {}", plot::to_string(*command.look.map));

@@ -173,6 +173,9 @@ Result<workbench::FieldSettings> settings_from(const FieldArguments& arguments, 
     return fail(ErrorCode::kInvalidArgument, "--slab takes one number, or three: X,Y,Z");
   }
   TROCAR_ASSIGN_OR_RETURN(settings.through, learning::through_from(arguments.through));
+  if (settings.through != learning::Through::kLargest && settings.slabs == std::array{1, 1, 1}) {
+    return fail(ErrorCode::kInvalidArgument, "--through says what thick slices show: say --slab, too");
+  }
   settings.voxels = arguments.voxels.has_value();
   settings.voxel_threshold = arguments.voxels.value_or(settings.voxel_threshold);
   settings.iso_surface = arguments.iso.has_value();

@@ -28,6 +28,8 @@ struct ExportArguments {
   int width = 1000;
   std::string preset;
   bool transparent = false;
+  int slab = 1;
+  std::string through = "largest";
   double dpi = 0.0;
   std::string out;
   std::vector<const CLI::Option*> of_pictures;  ///< What says how a picture looks, and numbers cannot heed.
@@ -61,6 +63,13 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
       verb.add_option("--preset", arguments.preset, kPresetHelp),
       verb.add_flag("--transparent", arguments.transparent, kTransparentHelp),
       verb.add_option("--dpi", arguments.dpi, kDpiHelp)->check(CLI::Range(kLeastDpi, kMostDpi))};
+  verb.add_option("--slab", arguments.slab, "Cells that the slice is thick, in pictures and numbers (else 1)")
+      ->check(CLI::Range(1, 1000))
+      ->needs(slice);
+  verb.add_option("--through", arguments.through, "What is written of a thick slice: the largest value, or the mean")
+      ->check(CLI::IsMember({"largest", "mean"}))
+      ->capture_default_str()
+      ->needs("--slab");
   CLI::Option* width = verb.add_option("--width", arguments.width, "Width of the picture in pixels")
                            ->check(CLI::Range(100, 8192))
                            ->capture_default_str()
@@ -117,6 +126,8 @@ Result<workbench::FieldExport> request_of(const ExportArguments& arguments) {
     request.look.limits = {arguments.limits[0], arguments.limits[1]};
   }
   TROCAR_ASSIGN_OR_RETURN(request.look.vision, plot::colour_vision_from(arguments.vision));
+  request.slab = arguments.slab;
+  TROCAR_ASSIGN_OR_RETURN(request.through, learning::through_from(arguments.through));
   request.look.width_px = arguments.width;
   request.look.preset = arguments.preset;
   request.look.transparent = arguments.transparent;

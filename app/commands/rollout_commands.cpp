@@ -102,7 +102,6 @@ Status tell_spread(const learning::Model& model, const std::vector<std::uint8_t>
   answer.text += arrivals_text(arrivals, starts.size());
   TROCAR_ASSIGN_OR_RETURN(const learning::RolloutSpread all,
                           learning::spread_from(model, policy, starts, {}, progress));
-  answer.json["followed"] = all.followed;
   answer.json["worst_deviation_mm"] = Json::object();
   for (int i = 0; i <= static_cast<int>(learning::RolloutEnd::kOutsideSafeSet); ++i) {
     const auto end = static_cast<learning::RolloutEnd>(i);
@@ -245,7 +244,10 @@ Result<Answer> run_compare(const CompareArguments& arguments, Console& console) 
   answer.json["difference_low"] = interval.low;
   answer.json["difference_high"] = interval.high;
   answer.summary =
-      fmt::format("only A arrives {}, only B {}, ties {}, McNemar p {}", paired.wins_a, paired.wins_b, paired.ties,
+      fmt::format("only A arrives {}, only B {}, ties {}; B − A {} points, 95 % interval {} … {}; McNemar p {}",
+                  paired.wins_a, paired.wins_b, paired.ties,
+                  statistics::points_text(static_cast<double>(paired.wins_b - paired.wins_a) / std::max(pairs, 1), 1),
+                  statistics::points_text(interval.low, 1), statistics::points_text(interval.high, 1),
                   paired.mcnemar_p < 0.001 ? std::string("< 0.001") : fmt::format("= {:.3g}", paired.mcnemar_p));
   answer.text = fmt::format("A {}, B {}: {}", a->name, b->name, answer.summary);
   tell_ends(learning::outcome_table(basin_a, basin_b, starts), answer);

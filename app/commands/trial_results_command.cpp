@@ -16,6 +16,7 @@ struct ResultsArguments {
   std::string session;
   std::string trials;
   std::string segments;
+  std::string participants;
   std::string report;
   std::string figure;
   std::string preset;
@@ -26,8 +27,10 @@ void bind_results(CLI::App& verb, ResultsArguments& arguments) {
   verb.add_option("--session", arguments.session, "Only what was run in this session");
   verb.add_option("--trials", arguments.trials, "F.csv: one row for each trial");
   verb.add_option("--segments", arguments.segments, "F.csv: one row for each segment of each trial");
+  verb.add_option("--participants", arguments.participants, "F.csv: one row for each participant and mode");
   verb.add_option("--report", arguments.report, "F.html: the comparison as a page");
-  verb.add_option("--figure", arguments.figure, "F.png, F.svg or F.pdf: bars with their spread, and each pair");
+  verb.add_option("--figure", arguments.figure,
+                  "F.png, F.svg or F.pdf: bars with their spread, each pair, and each participant");
   verb.add_option("--preset", arguments.preset, kPresetHelp);
 }
 
@@ -56,7 +59,7 @@ Json json_of(const workbench::ModeResults& mode) {
 
 Result<Answer> run_results(const ResultsArguments& arguments, Console& console) {
   for (const auto& [file, ending] : {std::pair{arguments.trials, ".csv"}, std::pair{arguments.segments, ".csv"},
-                                     std::pair{arguments.report, ".html"}}) {
+                                     std::pair{arguments.participants, ".csv"}, std::pair{arguments.report, ".html"}}) {
     if (!file.empty()) TROCAR_RETURN_IF_ERROR(check_output(file, arguments.project, {ending}));
   }
   if (!arguments.figure.empty()) {
@@ -78,6 +81,9 @@ Result<Answer> run_results(const ResultsArguments& arguments, Console& console) 
   }
   if (!arguments.segments.empty()) {
     TROCAR_RETURN_IF_ERROR(write_file(arguments.segments, workbench::segments_csv(project, arguments.session)));
+  }
+  if (!arguments.participants.empty()) {
+    TROCAR_RETURN_IF_ERROR(write_file(arguments.participants, workbench::participants_csv(results)));
   }
   if (!arguments.report.empty()) {
     const std::string title = arguments.session.empty() ? "Trials" : "Trials of session " + arguments.session;
@@ -104,6 +110,15 @@ Result<Answer> run_results(const ResultsArguments& arguments, Console& console) 
                    {"wilcoxon_w", paired.signed_rank.w},
                    {"wilcoxon_p", paired.signed_rank.p},
                    {"mcnemar_p", paired.mcnemar_p}}}};
+  answer.json["participants"] = Json::array();
+  for (const workbench::Participant& each : results.participants) {
+    answer.json["participants"].push_back(
+        {{"name", each.name}, {"MT", json_of(each.modes[0])}, {"SC", json_of(each.modes[1])}});
+  }
+  const workbench::PairedResults& each = results.by_participant;
+  answer.json["by_participant"] = {
+      {"pairs", each.pairs},           {"mean_s", each.mean_s},           {"deviation_s", each.deviation_s},
+      {"t", number_or_null(each.t.t)}, {"t_p", number_or_null(each.t.p)}, {"wilcoxon_p", each.signed_rank.p}};
   answer.summary = fmt::format("MT {} of {}, SC {} of {} succeed", results.modes[0].succeeded, results.modes[0].trials,
                                results.modes[1].succeeded, results.modes[1].trials);
   answer.text = workbench::results_text(results);

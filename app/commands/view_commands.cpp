@@ -146,6 +146,9 @@ Result<Answer> run_view(const ViewArguments& arguments, Console& console) {
     }
     request.options.lattice_frame = true;
     owner = fmt::format("{}, segment {}", entry->name, demonstration::letter(entry->segment));
+    const stage::FieldLayer& drawn = request.fields.front();
+    const int thickest = *std::max_element(drawn.slabs.begin(), drawn.slabs.end());
+    if (thickest > 1) owner += fmt::format(", slices: {} of {}", learning::to_string(drawn.through), thickest);
     if (!arguments.beside.empty()) {
       TROCAR_ASSIGN_OR_RETURN(const auto second, find_model(*file.project(), arguments.beside));
       warn_if_stale(*file.project(), *second, console);

@@ -130,6 +130,44 @@ void draw_pairs(Canvas& canvas, const PairedFigure& figure, BarPlot plot, const 
   }
 }
 
+/// Small plots side by side, all on one axis, so that their heights are compared; the height at which they end.
+double draw_panels(Canvas& canvas, const PairedFigure& figure, const Sheet& sheet, double top) {
+  constexpr double kPanel_em = 9.0;
+  constexpr double kLeast_em = 7.5;
+  const double em = sheet.em;
+  const double margin = margin_of(sheet);
+  const double width = sheet.width - 2.0 * margin;
+  double most = 0.0;
+  for (const PairedMeasure& panel : figure.panels) {
+    for (const auto& values : panel.values) {
+      for (const double value : values) most = std::max(most, value);
+      const Moments moments = moments_of(values);
+      most = std::max(most, moments.mean + moments.deviation);
+    }
+  }
+  const auto columns = std::clamp<std::size_t>(static_cast<std::size_t>(width / (kLeast_em * em)), 1, 8);
+  const double cell = width / static_cast<double>(columns);
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const PairedMeasure& panel = figure.panels[i];
+    BarPlot plot{margin + static_cast<double>(i % columns) * cell,
+                 top + static_cast<double>(i / columns) * (kPanel_em + 4.0) * em + 1.6 * em,
+                 cell - 0.8 * em,
+                 kPanel_em * em,
+                 {}};
+    canvas.text({plot.x, plot.y - 1.9 * em},
+                fitted(canvas, panel.name, sheet.letters(Align::kLeft, Weight::kSemiBold), plot.w),
+                sheet.letters(Align::kLeft, Weight::kSemiBold));
+    draw_values_axis(canvas, plot, most, i % columns == 0 ? figure.unit : "", sheet);
+    for (std::size_t g = 0; g < 2; ++g) {
+      const double w = 0.36 * plot.w;
+      const double x = plot.x + 0.1 * plot.w + static_cast<double>(g) * (w + 0.08 * plot.w);
+      draw_bar(canvas, plot, panel.values[g], g, x, w, sheet);
+    }
+  }
+  const auto rows = (figure.panels.size() + columns - 1) / columns;
+  return top + static_cast<double>(rows) * (kPanel_em + 4.0) * em;
+}
+
 double draw_pair_head(Canvas& canvas, const PairedFigure& figure, const Sheet& sheet) {
   const double margin = margin_of(sheet);
   const double width = sheet.width - 2.0 * margin;
@@ -162,11 +200,13 @@ double draw_pair_sheet(Canvas& canvas, const PairedFigure& figure, const Sheet& 
   const bool beside = !figure.pairs.empty() && width > 40.0 * em;
   const double bars = beside ? 0.66 * width - em : width;
   draw_bars(canvas, figure, {margin, y, bars, kPlot_em * em, {}}, sheet);
-  if (figure.pairs.empty()) return y + (kPlot_em + 2.2) * em;
-  if (!beside) y += (kPlot_em + 3.6) * em;
-  draw_pairs(canvas, figure,
-             {beside ? margin + bars + em : margin, y, beside ? width - bars - em : width, kPlot_em * em, {}}, sheet);
-  return y + (kPlot_em + 2.2) * em;
+  if (!figure.pairs.empty()) {
+    if (!beside) y += (kPlot_em + 3.6) * em;
+    draw_pairs(canvas, figure,
+               {beside ? margin + bars + em : margin, y, beside ? width - bars - em : width, kPlot_em * em, {}}, sheet);
+  }
+  y += (kPlot_em + 2.2) * em;
+  return figure.panels.empty() ? y : draw_panels(canvas, figure, sheet, y + 2.0 * em);
 }
 
 double pairs_height(const PairedFigure& figure, const Sheet& sheet) {

@@ -27,6 +27,7 @@ struct PairedFigure {
   std::vector<PairedMeasure> measures;  ///< At least one.
   std::string pairs_title;
   std::vector<std::array<double, 2>> pairs;  ///< May be none.
+  std::vector<PairedMeasure> panels;         ///< Each a small plot of its own below, on one axis: a participant, say.
   int width_px = 1000;                       ///< At least 480.
   std::optional<Print> print;                ///< For paper: in place of `width_px`.
 };

@@ -65,21 +65,14 @@ void take_q(const std::vector<double>& table, Model& model) {
   model.value[static_cast<std::size_t>(model.goal.value)] = 0.0;
 }
 
-/// Of ways that are worth the same the shorter one is taken, so that the agent never goes round where θ is 0: every
-/// step costs a thousand-millionth of the largest |θ| beside its reward, which no value shows.
 void take_theta(const std::vector<double>& table, Model& model) {
-  constexpr double kStepShare = 1e-9;
-  double largest = 0.0;
-  for (const double value : table) largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
-  const double step = kStepShare * (largest > 0.0 ? largest : 1.0);
   const std::vector<std::uint8_t> allowed = allowed_moves(model.grid, model.safe);
   for (std::size_t s = 0; s < table.size(); ++s) {
-    model.theta[s] = table[s] - step;
+    model.theta[s] = table[s];
     model.tried[s] = std::isnan(table[s]) ? std::uint8_t{0} : allowed[s];
   }
   model.tried[static_cast<std::size_t>(model.goal.value)] = 0;
   iterate_values(model);
-  model.theta = table;
 }
 
 }  // namespace

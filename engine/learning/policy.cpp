@@ -1,5 +1,6 @@
 #include "engine/learning/policy.h"
 
+#include <cmath>
 #include <limits>
 
 #include "engine/learning/rollout.h"
@@ -15,6 +16,61 @@ constexpr double kLowest = -std::numeric_limits<double>::infinity();
 /// Bits of the two actions along one axis that stay on the lattice.
 unsigned along_axis(int coordinate, int n, unsigned plus_bit) {
   return (coordinate + 1 < n ? plus_bit : 0U) | (coordinate > 0 ? plus_bit << 1U : 0U);
+}
+
+/// Actions whose Q is the best one in the cell, to the bit.
+std::vector<std::uint8_t> tied_moves(const Model& model, const std::vector<std::uint8_t>& candidates,
+                                     const std::vector<std::uint8_t>& policy) {
+  std::vector<std::uint8_t> tied(policy.size(), 0);
+  for (std::size_t s = 0; s < policy.size(); ++s) {
+    if (policy[s] == kNoAction) continue;
+    const double best = model.q[s * kActionCount + policy[s]];
+    for (unsigned a = 0; a < kActionCount; ++a) {
+      const bool ties = (candidates[s] >> a & 1U) != 0 && model.q[s * kActionCount + a] == best;
+      tied[s] = static_cast<std::uint8_t>(tied[s] | (ties ? 1U << a : 0U));
+    }
+  }
+  return tied;
+}
+
+/// Of tied actions the one on the shortest way to the goal, so that nobody goes round where θ is 0. Ways are counted
+/// over tied actions alone, from the goal backwards.
+void prefer_short_ways(const Model& model, const std::vector<std::uint8_t>& candidates,
+                       std::vector<std::uint8_t>& policy) {
+  constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
+  const std::vector<std::uint8_t> tied = tied_moves(model, candidates, policy);
+  const auto stride = strides(model.grid);
+  const std::int32_t cells = model.grid.cell_count();
+  std::vector<std::int32_t> steps(tied.size(), kNever);
+  std::vector<std::int32_t> reached{model.goal.value};
+  steps[static_cast<std::size_t>(model.goal.value)] = 0;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const std::int32_t here = reached[i];
+    for (unsigned a = 0; a < kActionCount; ++a) {
+      const std::int32_t before = here - stride[a];
+      if (before < 0 || before >= cells || (tied[static_cast<std::size_t>(before)] >> a & 1U) == 0) continue;
+      std::int32_t& known = steps[static_cast<std::size_t>(before)];
+      if (known != kNever) continue;
+      known = steps[static_cast<std::size_t>(here)] + 1;
+      reached.push_back(before);
+    }
+  }
+  for (std::size_t s = 0; s < policy.size(); ++s) {
+    std::int32_t least = kNever;
+    for (unsigned a = 0; a < kActionCount; ++a) {
+      if ((tied[s] >> a & 1U) == 0) continue;
+      const std::int32_t there = steps[static_cast<std::size_t>(static_cast<std::int32_t>(s) + stride[a])];
+      if (there >= least) continue;
+      least = there;
+      policy[s] = static_cast<std::uint8_t>(a);
+    }
+  }
+}
+
+/// Its Q is of the cheapest way: rewards of 0 leave ties all over the lattice.
+bool is_of_imported_rewards(const Model& model) {
+  return model.options.method == Method::kImported &&
+         std::isfinite(model.theta[static_cast<std::size_t>(model.start.value)]);
 }
 
 }  // namespace
@@ -64,7 +120,8 @@ std::vector<std::uint8_t> candidate_moves(const Model& model) {
 }
 
 std::vector<std::uint8_t> greedy_policy(const Model& model) {
-  std::vector<std::uint8_t> policy = candidate_moves(model);
+  const std::vector<std::uint8_t> all_candidates = candidate_moves(model);
+  std::vector<std::uint8_t> policy = all_candidates;
   for (std::size_t s = 0; s < policy.size(); ++s) {
     const unsigned candidates = policy[s];
     double best = kLowest;
@@ -76,6 +133,7 @@ std::vector<std::uint8_t> greedy_policy(const Model& model) {
     }
     policy[s] = choice;
   }
+  if (is_of_imported_rewards(model)) prefer_short_ways(model, all_candidates, policy);
   return policy;
 }
 

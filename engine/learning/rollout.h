@@ -14,7 +14,8 @@ enum class RolloutEnd : std::uint8_t { kArrives, kLoops, kDeadEnd, kOutsideSafeS
 std::string_view to_string(RolloutEnd end);
 
 /// The greedy action in each cell: argmax of Q over moves that stay on the lattice and, from a safe cell, in the safe
-/// set; ties by the order of `spatial::Action`. 255 where there is none (the goal, or no move known).
+/// set; ties by the order of `spatial::Action`, where rewards were imported by the shortest way first. 255 where there
+/// is none (the goal, or no move known).
 ///
 /// From a cell outside of the safe set the agent may move only if the model knows how (`exact`), and never leaves the
 /// safe set once inside.

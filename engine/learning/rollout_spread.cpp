@@ -13,14 +13,41 @@ namespace {
 using spatial::CellIndex;
 
 /// Of sorted values, the one that a share of them does not exceed.
-template <typename Value>
-double quantile(const std::vector<Value>& sorted, double share) {
+double quantile(const std::vector<double>& sorted, double share) {
   const double at = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(at);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  const auto low = static_cast<double>(sorted[below]);
-  return low + (at - static_cast<double>(below)) * (static_cast<double>(sorted[above]) - low);
+  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
+
+/// How often each squared distance between two cells occurs, in cells²: whole numbers, of which there are few.
+class DistanceCounts {
+ public:
+  void add(std::int32_t squared) {
+    const auto place = static_cast<std::size_t>(squared);
+    if (counts_.size() <= place) counts_.resize(place + 1, 0);
+    ++counts_[place];
+    ++all_;
+  }
+  std::int64_t all() const { return all_; }
+  /// As `quantile` of all distances, in cells.
+  double quantile(double share) const {
+    const double at = share * static_cast<double>(all_ - 1);
+    const auto below = static_cast<std::int64_t>(at);
+    const double low = ranked(below);
+    return low + (at - static_cast<double>(below)) * (ranked(std::min(below + 1, all_ - 1)) - low);
+  }
+
+ private:
+  double ranked(std::int64_t rank) const {
+    std::size_t place = 0;
+    for (std::int64_t before = counts_[0]; before <= rank; before += counts_[place]) ++place;
+    return std::sqrt(static_cast<double>(place));
+  }
+
+  std::vector<std::int32_t> counts_;
+  std::int64_t all_ = 0;
+};
 
 /// Takes rollouts one by one and keeps numbers of them alone.
 class Gatherer {
@@ -28,13 +55,13 @@ class Gatherer {
   Gatherer(const Model& model, std::span<const double> clearance_m)
       : model_(model),
         clearance_m_(clearance_m),
-        deviation_m_(static_cast<std::size_t>(model.grid.cell_count()), kUnset) {}
+        deviation_(static_cast<std::size_t>(model.grid.cell_count()), kUnset) {}
 
   void add(const Rollout& rollout) {
-    ++followed_;
+    ++starts_;
     if (at_step_.size() < rollout.cells.size()) at_step_.resize(rollout.cells.size());
     for (std::size_t step = 0; step < rollout.cells.size(); ++step) {
-      at_step_[step].push_back(rollout.cells[step]);
+      at_step_[step].add(deviation(rollout.cells[step]));
     }
     for (const RolloutMeasure measure : spread_measures()) {
       const double value = learning::measure(rollout, measure, model_.grid, clearance_m_);
@@ -45,10 +72,9 @@ class Gatherer {
     }
   }
 
-  RolloutSpread finish(std::size_t starts) {
+  RolloutSpread finish() {
     RolloutSpread spread;
-    spread.starts = starts;
-    spread.followed = followed_;
+    spread.starts = starts_;
     spread.band = band();
     for (std::size_t m = 0; m < values_.size(); ++m) {
       for (std::size_t e = 0; e < kRolloutEnds; ++e) {
@@ -63,42 +89,44 @@ class Gatherer {
   }
 
  private:
-  static constexpr double kUnset = -1.0;
+  static constexpr std::int32_t kUnset = -1;
 
-  double deviation_m(CellIndex cell) {
-    double& known = deviation_m_[static_cast<std::size_t>(cell.value)];
-    if (known >= 0.0) return known;
-    const Eigen::Vector3d here = model_.grid.centre(cell);
-    known = std::numeric_limits<double>::infinity();
+  /// Squared, in cells: from the nearest of the expert's.
+  std::int32_t deviation(CellIndex cell) {
+    std::int32_t& known = deviation_[static_cast<std::size_t>(cell.value)];
+    if (known != kUnset) return known;
+    const spatial::CellCoordinates here = model_.grid.coordinates(cell);
+    known = std::numeric_limits<std::int32_t>::max();
     for (const CellIndex expert : model_.experts.front()) {
-      known = std::min(known, (model_.grid.centre(expert) - here).norm());
+      const spatial::CellCoordinates c = model_.grid.coordinates(expert);
+      const int x = c.x - here.x;
+      const int y = c.y - here.y;
+      const int z = c.z - here.z;
+      known = std::min(known, x * x + y * y + z * z);
     }
     return known;
   }
 
-  DeviationBand band() {
+  DeviationBand band() const {
     DeviationBand band;
-    std::vector<double> here;
-    for (const std::vector<CellIndex>& cells : at_step_) {
-      if (cells.size() < kLeastInBand) break;
-      here.clear();
-      for (const CellIndex cell : cells) here.push_back(deviation_m(cell));
-      std::sort(here.begin(), here.end());
-      band.low.push_back(quantile(here, 0.05));
-      band.lower.push_back(quantile(here, 0.25));
-      band.median.push_back(quantile(here, 0.5));
-      band.upper.push_back(quantile(here, 0.75));
-      band.high.push_back(quantile(here, 0.95));
-      band.count.push_back(static_cast<int>(here.size()));
+    const double cell_m = model_.grid.cell_m;
+    for (const DistanceCounts& here : at_step_) {
+      if (here.all() < kLeastInBand) break;
+      band.low.push_back(cell_m * here.quantile(0.05));
+      band.lower.push_back(cell_m * here.quantile(0.25));
+      band.median.push_back(cell_m * here.quantile(0.5));
+      band.upper.push_back(cell_m * here.quantile(0.75));
+      band.high.push_back(cell_m * here.quantile(0.95));
+      band.count.push_back(static_cast<int>(here.all()));
     }
     return band;
   }
 
   const Model& model_;
   std::span<const double> clearance_m_;
-  std::size_t followed_ = 0;
-  std::vector<std::vector<CellIndex>> at_step_;  ///< Of those that go on so far.
-  std::vector<double> deviation_m_;              ///< By CellIndex.
+  std::size_t starts_ = 0;
+  std::vector<DistanceCounts> at_step_;  ///< Of those that go on so far.
+  std::vector<std::int32_t> deviation_;  ///< By CellIndex.
   std::array<std::array<std::vector<double>, kRolloutEnds>, kRolloutMeasures> values_;
 };
 
@@ -154,21 +182,20 @@ std::vector<CellIndex> evenly(const std::vector<CellIndex>& starts, std::size_t 
 Result<RolloutSpread> spread_from(const Model& model, const std::vector<std::uint8_t>& policy,
                                   const std::vector<CellIndex>& starts, std::span<const double> clearance_m,
                                   Progress& progress) {
-  const std::vector<CellIndex> followed = evenly(starts, kMostFollowed);
   Gatherer gatherer(model, clearance_m);
-  for (std::size_t i = 0; i < followed.size(); ++i) {
+  for (std::size_t i = 0; i < starts.size(); ++i) {
     if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before all rollouts were followed");
-    progress.set(static_cast<double>(i) / static_cast<double>(followed.size()));
-    gatherer.add(rollout(model, policy, followed[i]));
+    progress.set(static_cast<double>(i) / static_cast<double>(starts.size()));
+    gatherer.add(rollout(model, policy, starts[i]));
   }
-  return gatherer.finish(starts.size());
+  return gatherer.finish();
 }
 
 RolloutSpread spread_of_rollouts(const Model& model, const std::vector<Rollout>& rollouts,
                                  std::span<const double> clearance_m) {
   Gatherer gatherer(model, clearance_m);
   for (const Rollout& one : rollouts) gatherer.add(one);
-  return gatherer.finish(rollouts.size());
+  return gatherer.finish();
 }
 
 std::string spread_csv_header() {

@@ -50,12 +50,9 @@ struct MeasureSpread {
 };
 constexpr std::size_t kMostPoints = 120;
 constexpr std::size_t kRolloutEnds = 4;
-/// As many starts as are followed; of more, evenly so many.
-constexpr std::size_t kMostFollowed = 100'000;
 
 struct RolloutSpread {
   std::size_t starts = 0;
-  std::size_t followed = 0;
   DeviationBand band;
   std::array<std::array<MeasureSpread, kRolloutEnds>, kRolloutMeasures> by_end;  ///< Of those that `has_spread`.
 

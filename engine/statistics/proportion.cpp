@@ -60,8 +60,9 @@ std::string points_text(double difference, int digits) {
   const auto words = [digits](double points) { return fmt::format("{:.{}f}", points, digits); };
   const std::string text = words(100.0 * size);
   if (size == 0.0) return text;
-  if (size < 1.0 && text == words(100.0)) return fmt::format("{}>{}", sign, words(100.0 - least));
-  if (text == words(0.0)) return fmt::format("{}<{}", sign, words(least));
+  if (size < 1.0 && text == words(100.0))
+    return fmt::format("{}{}{}", difference < 0.0 ? "<" : ">", sign, words(100.0 - least));
+  if (text == words(0.0)) return fmt::format("{}{}{}", difference < 0.0 ? ">" : "<", sign, words(least));
   return fmt::format("{}{}", sign, text);
 }
 

@@ -28,7 +28,7 @@ Interval paired_difference_interval(int only_a, int only_b, int pairs, double z 
 /// is not nothing never 0 %: ">99.9 %", "<0.1 %". Precondition: 0 ≤ digits.
 std::string share_text(double share, int digits);
 /// A difference of shares, −1 … 1, in points of a per cent with its sign: "+12.5", "−0.3", "0.0"; likewise never
-/// whole, nor nothing, where it is not: "+>99.9", "−<0.1". Precondition: 0 ≤ digits.
+/// whole, nor nothing, where it is not: ">+99.9", ">−0.1". Precondition: 0 ≤ digits.
 std::string points_text(double difference, int digits);
 /// `part` of `whole`; "–" if there is no whole. Precondition: 0 ≤ part ≤ whole.
 std::string percent_text(std::int64_t part, std::int64_t whole, int digits);

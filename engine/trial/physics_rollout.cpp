@@ -61,7 +61,14 @@ class Driven {
   double seconds() const { return state().tick.seconds(); }
   double length_m() const { return length_m_; }
   std::uint64_t hash() const { return world_.state_hash(); }
-  void measure_from_here() { length_m_ = 0.0; }
+  void measure_from_here() {
+    length_m_ = 0.0;
+    tips_.assign(1, tip());
+  }
+  /// Rests for so many samples.
+  void wait(int samples) {
+    for (int i = 0; i < samples; ++i) sample();
+  }
 
   /// Evenly over so many samples, then until the tool is there. False if it cannot get there.
   bool go(const Eigen::Vector3d& p_WT, int samples) {
@@ -145,7 +152,8 @@ class Perturbed {
  public:
   Perturbed(const learning::Model& model, const std::vector<std::uint8_t>& policy, const PhysicsOptions& options,
             CellIndex start)
-      : policy_(policy),
+      : grid_(model.grid),
+        policy_(policy),
         how_(options.perturbed),
         allowed_(learning::allowed_moves(model.grid, model.safe)),
         random_(Random(options.seed).child(static_cast<std::uint64_t>(start.value)).child(1)) {}
@@ -155,8 +163,12 @@ class Perturbed {
   Eigen::Vector3d seen(const Driven& driven) {
     const auto late = static_cast<std::size_t>(std::lround(how_.delay_s / kSamplePeriod_s));
     Eigen::Vector3d place = driven.tip_before(late);
-    if (how_.noise_m > 0.0) {
-      for (int axis = 0; axis < 3; ++axis) place[axis] += how_.noise_m * random_.normal();
+    if (how_.noise_m <= 0.0) return place;
+    // The agent knows that it is on the lattice: what is read beside it is read as its edge.
+    const double edge_m = grid_.n * grid_.cell_m * (1.0 - 1e-9);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double read = place[axis] + how_.noise_m * random_.normal();
+      place[axis] = std::clamp(read, grid_.p_WGo[axis], grid_.p_WGo[axis] + edge_m);
     }
     return place;
   }
@@ -173,6 +185,7 @@ class Perturbed {
   }
 
  private:
+  spatial::Grid grid_;
   const std::vector<std::uint8_t>& policy_;
   Perturbation how_;
   std::vector<std::uint8_t> allowed_;
@@ -180,28 +193,34 @@ class Perturbed {
 };
 
 /// From cell to cell until it ends. It arrives and leaves the lattice where it is, and goes by where it is taken to be.
-PhysicsEnd follow(const learning::Model& model, Perturbed& agent, double end_s, Driven& driven, int& steps) {
-  const int most_steps = 10 * model.grid.n;
+PhysicsEnd follow(const learning::Model& model, Perturbed& agent, double end_s, Driven& driven,
+                  PhysicsRollout& result) {
   spatial::CellSet asked(model.grid);
   for (;;) {
     const Result<CellIndex> here = model.grid.cell_at(driven.tip());
     if (!here) return PhysicsEnd::kOutsideSafeSet;
     if (*here == model.goal) return PhysicsEnd::kArrives;
-    if (agent.any() ? steps >= most_steps : asked.contains(*here)) return PhysicsEnd::kLoops;
+    if (!agent.any() && asked.contains(*here)) return PhysicsEnd::kLoops;
     asked.insert(*here);
     const Result<CellIndex> cell = model.grid.cell_at(agent.seen(driven));
     if (!cell) return PhysicsEnd::kOutsideSafeSet;
+    if (driven.seconds() >= end_s) return PhysicsEnd::kTimeUp;
+    if (*cell == model.goal) {
+      // It takes itself to be there: it rests, and looks again.
+      driven.wait(kSamplesPerCell);
+      continue;
+    }
     const std::uint8_t action = agent.action(*cell);
     if (action == learning::kNoAction) {
-      // At the goal, too: it takes itself to be there, and stops short of it.
       return model.safe.contains(*cell) ? PhysicsEnd::kDeadEnd : PhysicsEnd::kOutsideSafeSet;
     }
-    if (driven.seconds() >= end_s) return PhysicsEnd::kTimeUp;
     const auto next = model.grid.neighbour(*cell, static_cast<spatial::Action>(action));
     const bool reached = driven.go(model.grid.centre(*next), kSamplesPerCell);
     if (!driven.holds()) return PhysicsEnd::kDrops;
     if (!reached) return PhysicsEnd::kOutOfReach;
-    ++steps;
+    ++result.steps;
+    const Result<CellIndex> after = model.grid.cell_at(driven.tip());
+    result.outside_steps += after && model.safe.contains(*after) ? 0 : 1;
   }
 }
 
@@ -252,7 +271,7 @@ PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<s
   const Places before = blocks_of(driven.state());
   driven.measure_from_here();
   Perturbed agent(model, policy, options, start);
-  result.end = follow(model, agent, begin_s + options.time_limit_s, driven, result.steps);
+  result.end = follow(model, agent, begin_s + options.time_limit_s, driven, result);
   result.duration_s = driven.seconds() - begin_s;
   result.length_m = driven.length_m();
   const Places after = blocks_of(driven.state());

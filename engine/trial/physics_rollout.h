@@ -15,8 +15,9 @@
 
 namespace trocar::trial {
 
-/// What makes the agent's world less than ideal. With any of it a cell that is come by again is no loop yet: a rollout
-/// loops that has not arrived after ten cells for each of a side of the lattice.
+/// What makes the agent's world less than ideal. It moves to the middle of the neighbour of the cell in which it reads
+/// itself to be, wherever it is, in the time of a cell; where it reads itself to be at the goal it rests as long and
+/// looks again. With any of this a cell that is come by again is no loop: such rollouts arrive, or end with their time.
 struct Perturbation {
   double epsilon =
       0.0;  ///< 0 … 1: this share of the actions is drawn evenly from those that lattice and safe set allow.
@@ -47,7 +48,8 @@ std::string_view to_string(PhysicsEnd end);
 /// From when the tool has been led to the start.
 struct PhysicsRollout {
   PhysicsEnd end = PhysicsEnd::kDeadEnd;
-  int steps = 0;  ///< Cells that the policy led through.
+  int steps = 0;          ///< Moves that the policy led to.
+  int outside_steps = 0;  ///< Of these, that ended outside of the safe set: the agent read itself to be elsewhere.
   double duration_s = 0.0;
   double length_m = 0.0;         ///< Of the tip's way.
   double pushed_m = 0.0;         ///< By how much the block that moved most was moved; the carried one is left out.

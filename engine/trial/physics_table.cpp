@@ -13,9 +13,10 @@ namespace {
 using spatial::CellIndex;
 
 constexpr std::string_view kHeader =
-    "i,j,k,end,steps,duration_s,length_m,pushed_m,state_hash,model_hash,seed,continuous,segment,block,goal,epsilon,"
+    "i,j,k,end,steps,outside_steps,duration_s,length_m,pushed_m,state_hash,model_hash,seed,continuous,segment,block,"
+    "goal,epsilon,"
     "delay_s,noise_m,time_limit_s";
-constexpr std::size_t kFields = 19;
+constexpr std::size_t kFields = 20;
 
 std::vector<std::string_view> pieces(std::string_view text, char separator) {
   std::vector<std::string_view> found;
@@ -64,8 +65,8 @@ std::string physics_csv(const learning::Model& model, const std::vector<CellInde
     const PhysicsRollout& r = *rollouts[i];
     const spatial::CellCoordinates c = model.grid.coordinates(starts[i]);
     // All digits: what is read again is the same number.
-    csv += fmt::format("{},{},{},{},{},{},{},{},{:016x},{}\n", c.x, c.y, c.z, to_string(r.end), r.steps, r.duration_s,
-                       r.length_m, r.pushed_m, r.state_hash, whose);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{:016x},{}\n", c.x, c.y, c.z, to_string(r.end), r.steps,
+                       r.outside_steps, r.duration_s, r.length_m, r.pushed_m, r.state_hash, whose);
   }
   return csv;
 }
@@ -83,9 +84,9 @@ Result<PhysicsRollouts> parse_physics_csv(std::string_view csv, const learning::
     PhysicsRollout r;
     const auto end = fields.size() == kFields ? end_from(fields[3]) : std::nullopt;
     if (!end || !read_number(fields[0], cell.x) || !read_number(fields[1], cell.y) || !read_number(fields[2], cell.z) ||
-        !model.grid.contains(cell) || !read_number(fields[4], r.steps) || !read_number(fields[5], r.duration_s) ||
-        !read_number(fields[6], r.length_m) || !read_number(fields[7], r.pushed_m) ||
-        !read_hash(fields[8], r.state_hash)) {
+        !model.grid.contains(cell) || !read_number(fields[4], r.steps) || !read_number(fields[5], r.outside_steps) ||
+        !read_number(fields[6], r.duration_s) || !read_number(fields[7], r.length_m) ||
+        !read_number(fields[8], r.pushed_m) || !read_hash(fields[9], r.state_hash)) {
       return fail(ErrorCode::kCorrupt, fmt::format("line {} is no physics rollout", n + 1));
     }
     if (!lines[n].ends_with("," + whose)) {

@@ -336,6 +336,8 @@ struct ExportField {
   learning::FieldMask mask = learning::FieldMask::kNone;
   ModelId against;  ///< None: the field itself; else what this model (B) changes, and which of it.
   FieldContrast contrast = FieldContrast::kDifference;
+  int slab = 1;  ///< Cells that the slice is thick.
+  learning::Through through = learning::Through::kLargest;
 };
 /// Makes a model of a table that another program learned.
 struct ImportTable {

@@ -78,7 +78,7 @@ struct ModelInsight {
   std::vector<learning::Rollout> ghosts;   ///< For `RolloutSettings`, evenly over the starts.
   /// Of the starts, evenly over them if there are more than `kMostListed`; while a demonstration is edited, the ghosts.
   std::shared_ptr<const std::vector<learning::Rollout>> listed;
-  /// Of all starts (see `learning::kMostFollowed`); while a demonstration is edited, of the ghosts.
+  /// Of all starts; while a demonstration is edited, of the ghosts.
   std::shared_ptr<const learning::RolloutSpread> spread;
   std::shared_ptr<const std::vector<double>> clearance_m;  ///< Of each cell from pegs and board.
   std::optional<learning::Rollout> selected;               ///< Of `RolloutSettings::selected`.

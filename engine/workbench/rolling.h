@@ -66,7 +66,7 @@ std::map<std::string, std::string> about_rollouts(const ModelEntry& entry, const
 /// the same starts, or null. Errors: kCancelled.
 Result<std::string> rollout_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                                  const learning::MonteCarlo* monte_carlo, Progress& progress);
-/// The deviations from the expert, step by step, of all starts (see `learning::kMostFollowed`), as window and command
+/// The deviations from the expert, step by step, of all starts, as window and command
 /// line write them. Errors: kInvalidArgument where fewer than `learning::kLeastInBand` begin; kCancelled.
 Result<std::string> band_rows(const learning::Model& model, const std::vector<spatial::CellIndex>& starts,
                               Progress& progress);

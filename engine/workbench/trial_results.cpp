@@ -65,6 +65,16 @@ ModeResults of_mode(const Trials& trials, trial::Mode mode) {
   return results;
 }
 
+/// The tests of differences that are there.
+void test_differences(PairedResults& results) {
+  results.pairs = static_cast<int>(results.differences_s.size());
+  if (results.pairs > 0) results.mean_s = statistics::mean(results.differences_s);
+  if (results.pairs > 1) results.deviation_s = statistics::standard_deviation(results.differences_s);
+  results.normality = statistics::shapiro_wilk(results.differences_s);
+  results.t = statistics::paired_t(results.differences_s);
+  results.signed_rank = statistics::wilcoxon_signed_rank(results.differences_s);
+}
+
 PairedResults paired(const Trials& trials) {
   // The same person or script, scene and conditions; in shared control the models are the mode's own matter.
   using Key = std::tuple<std::string, std::string, std::uint64_t, int, int, std::string, double>;
@@ -88,13 +98,33 @@ PairedResults paired(const Trials& trials) {
     results.completion_s.push_back({*both[0]->completion_s, *both[1]->completion_s});
     results.differences_s.push_back(*both[0]->completion_s - *both[1]->completion_s);
   }
-  results.pairs = static_cast<int>(results.differences_s.size());
   results.mcnemar_p = statistics::mcnemar_exact_p(results.only_manual_succeeds, results.only_shared_succeeds);
-  if (results.pairs > 0) results.mean_s = statistics::mean(results.differences_s);
-  if (results.pairs > 1) results.deviation_s = statistics::standard_deviation(results.differences_s);
-  results.normality = statistics::shapiro_wilk(results.differences_s);
-  results.t = statistics::paired_t(results.differences_s);
-  results.signed_rank = statistics::wilcoxon_signed_rank(results.differences_s);
+  test_differences(results);
+  return results;
+}
+
+std::string participant_of(const TrialRecord& record) {
+  return record.subject.empty() ? operator_of(record) : record.subject;
+}
+
+std::vector<Participant> participants_of(const Trials& trials) {
+  std::map<std::string, Trials> by_name;
+  for (const auto& each : trials) by_name[participant_of(each->record)].push_back(each);
+  std::vector<Participant> participants;
+  for (const auto& [name, own] : by_name) {
+    participants.push_back({name, {of_mode(own, trial::Mode::kManual), of_mode(own, trial::Mode::kShared)}});
+  }
+  return participants;
+}
+
+PairedResults one_value_each(const std::vector<Participant>& participants) {
+  PairedResults results;
+  for (const Participant& each : participants) {
+    if (each.modes[0].succeeded == 0 || each.modes[1].succeeded == 0) continue;
+    results.completion_s.push_back({each.modes[0].mean_s, each.modes[1].mean_s});
+    results.differences_s.push_back(each.modes[0].mean_s - each.modes[1].mean_s);
+  }
+  test_differences(results);
   return results;
 }
 
@@ -127,6 +157,10 @@ figure::PairedFigure results_figure(const Trials& trials, const TrialResults& re
   }
   drawn.pairs_title = "s, the same scene";
   drawn.pairs = results.paired.completion_s;
+  if (results.participants.size() < 2) return drawn;
+  for (const Participant& each : results.participants) {
+    drawn.panels.push_back({each.name, {each.modes[0].completion_s, each.modes[1].completion_s}});
+  }
   return drawn;
 }
 
@@ -145,6 +179,8 @@ TrialResults results_of(const Trials& trials) {
   TrialResults results;
   results.modes = {of_mode(trials, trial::Mode::kManual), of_mode(trials, trial::Mode::kShared)};
   results.paired = paired(trials);
+  results.participants = participants_of(trials);
+  results.by_participant = one_value_each(results.participants);
   std::set<std::string> operators;
   for (const auto& each : trials) {
     operators.insert(operator_of(each->record));

@@ -62,8 +62,18 @@ struct PairedResults {
   double mcnemar_p = 1.0;
 };
 
+/// One person, or one script, by both modes.
+struct Participant {
+  std::string name;  ///< The subject's id; of a script what it is.
+  std::array<ModeResults, 2> modes;
+};
+
 struct TrialResults {
-  std::array<ModeResults, 2> modes;  ///< MT, SC.
+  std::array<ModeResults, 2> modes;       ///< MT, SC.
+  std::vector<Participant> participants;  ///< By name.
+  /// One value for each participant: the difference of their mean completion times, MT − SC, of those who succeed by
+  /// both. What one person does again and again is no further evidence of people.
+  PairedResults by_participant;
   PairedResults paired;
   std::vector<std::string> operators;  ///< "scripted expert", "person" …: whose trials these are.
   bool scripted = false;               ///< Any of them: to be labelled so wherever they are shown.
@@ -84,8 +94,13 @@ struct ResultRow {
 std::vector<ResultRow> result_rows(const TrialResults& results);
 /// Of the paired trials, a test a line.
 std::vector<std::string> paired_lines(const PairedResults& paired);
+/// A line for each participant, and the test of one value each; none for one alone.
+std::vector<std::string> participant_lines(const TrialResults& results);
 /// Who it was; says of a script that it is one.
 std::string operators_label(const TrialResults& results);
+
+/// One row for each participant and mode: how many trials, successes, mean and spread of completion.
+std::string participants_csv(const TrialResults& results);
 
 /// What a person reads: one line each, without a judgement that the numbers do not carry.
 std::string results_text(const TrialResults& results);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cmath>
 
 #include "engine/workbench/trial_results.h"
@@ -98,6 +99,22 @@ std::string segments_csv(const Project& project, const std::string& session) {
   return csv;
 }
 
+std::string participants_csv(const TrialResults& results) {
+  std::string csv =
+      "participant,mode,trials,stopped,succeeded,dropped,completion_mean_s,completion_sd_s,completion_median_s\n";
+  constexpr std::array<trial::Mode, 2> kModes{trial::Mode::kManual, trial::Mode::kShared};
+  for (const Participant& each : results.participants) {
+    for (std::size_t i = 0; i < kModes.size(); ++i) {
+      const ModeResults& m = each.modes[i];
+      const bool any = m.succeeded > 0;
+      csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", field(each.name), to_string(kModes[i]), m.trials, m.stopped,
+                         m.succeeded, m.dropped, any ? number(m.mean_s) : "",
+                         m.succeeded > 1 ? number(m.deviation_s) : "", any ? number(m.median_s) : "");
+    }
+  }
+  return csv;
+}
+
 std::string operators_label(const TrialResults& results) {
   std::string words = fmt::format("{}", fmt::join(results.operators, ", "));
   if (results.mixed) return words + "; made by scripts and by persons together";
@@ -158,13 +175,36 @@ std::vector<ResultRow> result_rows(const TrialResults& results) {
   return rows;
 }
 
+std::vector<std::string> participant_lines(const TrialResults& results) {
+  if (results.participants.size() < 2) return {};
+  std::vector<std::string> lines;
+  for (const Participant& each : results.participants) {
+    const auto words = [](const ModeResults& m) {
+      return m.succeeded == 0 ? fmt::format("0 of {}", m.trials)
+                              : fmt::format("{:.2f} s, {} of {}", m.mean_s, m.succeeded, m.trials);
+    };
+    lines.push_back(fmt::format("{}: MT {}; SC {}", each.name, words(each.modes[0]), words(each.modes[1])));
+  }
+  const PairedResults& p = results.by_participant;
+  if (p.pairs > 1) {
+    lines.push_back(
+        fmt::format("One value for each of {} participants: MT − SC {:+.2f} s, standard deviation {:.2f} s; "
+                    "t({}) = {}, p = {}; Wilcoxon p = {}{}",
+                    p.pairs, p.mean_s, p.deviation_s, p.t.degrees_of_freedom, number(p.t.t), p_words(p.t.p),
+                    p_words(p.signed_rank.p), p.signed_rank.exact ? " (exact)" : " (normal)"));
+  }
+  return lines;
+}
+
 std::string results_text(const TrialResults& results) {
   std::string text = "Operator: " + operators_label(results) + "\n";
   text += fmt::format("{:<28}{:>14}{:>14}\n", "", "MT", "SC");
   for (const ResultRow& row : result_rows(results)) {
     text += fmt::format("{:<28}{:>14}{:>14}\n", row.name, row.values[0], row.values[1]);
   }
-  return text + fmt::format("{}", fmt::join(paired_lines(results.paired), "\n"));
+  text += fmt::format("{}", fmt::join(paired_lines(results.paired), "\n"));
+  for (const std::string& line : participant_lines(results)) text += "\n" + line;
+  return text;
 }
 
 std::string results_html(const TrialResults& results, const std::string& title) {
@@ -184,6 +224,7 @@ std::string results_html(const TrialResults& results, const std::string& title) 
   }
   html += "</table>\n<ul>\n";
   for (const std::string& line : paired_lines(results.paired)) html += "<li>" + escaped(line) + "</li>\n";
+  for (const std::string& line : participant_lines(results)) html += "<li>" + escaped(line) + "</li>\n";
   html += "</ul>\n";
   if (results.paired.pairs > 0) html += "<table><tr><th>MT, s</th><th>SC, s</th><th>MT − SC, s</th></tr>\n";
   for (const auto& [manual_s, shared_s] : results.paired.completion_s) {

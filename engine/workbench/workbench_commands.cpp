@@ -221,6 +221,8 @@ void Workbench::Impl::on(const ExportField& command) {
   }
   wanted.contrast = command.contrast;
   wanted.slice = command.slice;
+  wanted.slab = command.slab;
+  wanted.through = command.through;
   wanted.look = command.look;
   wanted.path = command.path;
   const auto work = [request = std::move(wanted)](Progress&) -> Result<JobResult> {

@@ -135,10 +135,10 @@ void Workbench::Impl::poll_console() {
     return;
   }
   const link::HandServerStatus status = hand_server->status();
-  ConsoleView view{state.trials->console->port, status.connected, status.peer,   status.scripted, status.one_clock,
-                   status.delay_p95_s,          status.rtt_p95_s, status.frames, status.lost,     status.malformed};
+  ConsoleView console{state.trials->console->port, status.connected, status.peer,   status.scripted, status.one_clock,
+                      status.delay_p95_s,          status.rtt_p95_s, status.frames, status.lost,     status.malformed};
   dirty = dirty || status.frames != state.trials->console->frames || status.connected != state.trials->console->there;
-  state.trials->console = std::move(view);
+  state.trials->console = std::move(console);
   if (recording && state.live && state.live->trial) hand_server->tell(state.live->trial->state);
   if (state.trials->phase == TrialsPhase::kWaiting && !recording && !state.trials->paused && hand_server->arrived()) {
     begin_transfer();

@@ -146,6 +146,27 @@ class Rollouts(CommandLineTest):
                     self.assertEqual(width, round(width_mm / 25.4 * 150))
                     self.assertAlmostEqual(said, 150, delta=0.02)
 
+    def test_a_thick_slice_is_written_as_it_is_shown(self):
+        whole, thick = self.folder / "w.csv", self.folder / "t.csv"
+        self.answer("field", "export", self.project, "A exact", "--layer", "value", "--out", whole)
+        values = {}
+        with open(whole, newline="") as file:
+            for row in csv.DictReader(file):
+                values[tuple(int(row[axis]) for axis in "ijk")] = row["value"]
+        for through, of in (("largest", max), ("mean", statistics.fmean)):
+            self.answer("field", "export", self.project, "A exact", "--layer", "value", "--slice", "z=10", "--slab", "3",
+                        "--through", through, "--out", thick)
+            with open(thick, newline="") as file:
+                rows = list(csv.DictReader(file))
+            self.assertEqual(len(rows), 22 * 22)
+            for row in rows:
+                i, j = int(row["i"]), int(row["j"])
+                known = [float(values[i, j, k]) for k in (9, 10, 11) if values[i, j, k]]
+                self.assertAlmostEqual(float(row["value"]), of(known), places=9)
+        self.refused("field", "export", self.project, "A exact", "--slab", "3", "--out", thick, code=USAGE)
+        self.refused("field", "export", self.project, "A exact", "--layer", "safe", "--slice", "z=3", "--slab", "3",
+                     "--out", thick, code=USAGE, saying="no thick slices")
+
     def test_a_figure_without_ground_is_clear_where_it_was_white(self):
         for words in (["field", "export", self.project, "A exact"], ["demo", "plot", self.project, "Expert"],
                       ["model", "curve", self.project, "paper"],

@@ -70,6 +70,17 @@ class Link(CommandLineTest):
         self.assertGreater(trial["trials"][0]["path_length_m"], 0.01)
         self.assertGreater(console["sent"], 0)
 
+    def test_the_right_hand_of_a_console_has_the_right_arm(self):
+        project = self.empty_project()
+        script = self.folder / "still.hand"
+        script.write_text("30 end\n")
+        trial, _ = self.run_over_the_link(project, "--source", "scripted", "--script", script,
+                                          trial=("--assist", "--time-limit", 2))
+        kept = trial["trials"][0]
+        self.assertEqual((kept["operator"], kept["assistant"], kept["placed"]), ("scripted", "scripted", False))
+        self.assertTrue(self.answer("trial", "replay", project, kept["id"], "--verify")["verified"])
+        self.refused("trial", "run", project, "--mode", "MT", "--assist", code=USAGE, saying="--assist")
+
     def test_what_makes_no_sense_is_refused(self):
         project = self.empty_project()
         tcp = ("trial", "run", project, "--mode", "MT", "--operator", "tcp")

@@ -110,6 +110,30 @@ class TrialsTest(CommandLineTest):
         self.assertEqual(self.answer("trial", "results", project)["SC"]["trials"], 3)
         self.refused("trial", "judge", project, "SC 1", code=USAGE, saying="--exclude")
 
+    def test_each_participant_is_a_row_and_a_panel_and_one_value(self):
+        project = self.recorded_project()
+        for subject, seed in (("S1", 1), ("S2", 11), ("S3", 21)):
+            for mode in ("MT", "SC"):
+                self.answer("trial", "run", project, "--mode", mode, "--seed", seed, "--subject", subject, "--block", "0")
+        rows, figure = self.folder / "p.csv", self.folder / "f.svg"
+        answer = self.answer("trial", "results", project, "--participants", rows, "--figure", figure)
+        self.assertEqual([each["name"] for each in answer["participants"]], ["S1", "S2", "S3"])
+        means = [each["MT"]["mean_s"] - each["SC"]["mean_s"] for each in answer["participants"]]
+        self.assertEqual(answer["by_participant"]["pairs"], 3)
+        self.assertAlmostEqual(answer["by_participant"]["mean_s"], sum(means) / 3, places=9)
+        with open(rows, newline="") as file:
+            table = list(csv.DictReader(file))
+        self.assertEqual([(row["participant"], row["mode"]) for row in table],
+                         [(s, m) for s in ("S1", "S2", "S3") for m in ("MT", "SC")])
+        for row, each in zip(table[::2], answer["participants"]):
+            self.assertAlmostEqual(float(row["completion_mean_s"]), each["MT"]["mean_s"], delta=1e-3)
+        alone = self.folder / "one.svg"
+        for trial in self.answer("trial", "list", project)["trials"]:
+            if trial["subject"] != "S1":
+                self.answer("trial", "judge", project, trial["id"], "--exclude", "not now")
+        self.answer("trial", "results", project, "--figure", alone)
+        self.assertLess(len(alone.read_text()), len(figure.read_text()))
+
     def test_a_delay_is_applied_and_told(self):
         project = self.project()
         ran = self.answer("trial", "run", project, "--mode", "MT", "--block", "0", "--delay-ms", "ar1:60:10")

@@ -177,7 +177,15 @@ workbench::ExportField FieldForm::wanted(const WorkbenchState& state) const {
     field.contrast = static_cast<workbench::FieldContrast>(subject_ - 1);
   }
   const int file = kind_of_file();
-  if (kind_ == 1 && file < kWholeEndings) field.slice = slice_;
+  if (kind_ == 1 && file < kWholeEndings) {
+    field.slice = slice_;
+    // As thick as it is shown.
+    const std::size_t axis = slice_.starts_with("x") ? 0 : slice_.starts_with("y") ? 1 : 2;
+    if (subject_ == 0 && !state.insight->field->categorical) {
+      field.slab = state.field.slabs[axis];
+      field.through = state.field.through;
+    }
+  }
   if (file < 0 || file >= kDrawnEndings) return field;
   // Limits and map are of the layer: a contrast has its own.
   if (subject_ == 0) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ui/format.h"
+#include "ui/panels/colour_legend.h"
 #include "ui/panels/rollout_parts.h"
 
 namespace trocar::ui {
@@ -32,8 +33,9 @@ void draw_line(Ui& ui, const FieldShading& shading, const spatial::CellCoordinat
   const int here = axis == 0 ? at.x : axis == 1 ? at.y : at.z;
   const float name_width = ui.px(14);
   const float height = ui.px(30);
+  const float value_width = ui.px(64);
   const Rect mouse_area = {ImGui::GetCursorScreenPos().x + name_width, ImGui::GetCursorScreenPos().y,
-                           ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x,
+                           ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x - value_width,
                            ImGui::GetCursorScreenPos().y + height};
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   int told = here;
@@ -48,14 +50,18 @@ void draw_line(Ui& ui, const FieldShading& shading, const spatial::CellCoordinat
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddText({rect.x0, rect.centre_y() - 0.5F * ImGui::GetFontSize()}, to_u32(ui.theme().text_dim), name.data(),
                name.data() + name.size());
-  const Rect area{rect.x0 + name_width, rect.y0, rect.x1, rect.y1};
-  list.AddRectFilled({area.x0, area.y0}, {area.x1, area.y1}, to_u32(ui.theme().header));
+  const Rect area{rect.x0 + name_width, rect.y0, rect.x1 - value_width, rect.y1};
+  const std::string shown = fitted(words_of(field, value_at(field, at, axis, told)), value_width - ui.px(6));
+  list.AddText({rect.x1 - ImGui::CalcTextSize(shown.c_str()).x, rect.centre_y() - 0.5F * ImGui::GetFontSize()},
+               to_u32(ui.theme().text), shown.c_str());
+  draw_hatch(ui, area);  // what is not known stays so
   const float step = area.width() / static_cast<float>(n);
   const float gap = step > ui.px(4) ? ui.px(1) : 0.0F;
   for (int i = 0; i < n; ++i) {
     const float x = area.x0 + static_cast<float>(i) * step;
     const double of_cell = value_at(field, at, axis, i);
     const Rgba colour = shading.colouring().colour(of_cell);
+    if (colour.a > 0) list.AddRectFilled({x, area.y0}, {x + step, area.y1}, to_u32(ui.theme().header));
     if (i == here) list.AddRectFilled({x, area.y0}, {x + step, area.y1}, to_u32(ui.theme().text, 0.22F));
     if (colour.a == 0) continue;
     const double place = field.categorical ? 1.0 : shading.axis().position(of_cell);

@@ -54,9 +54,9 @@ void RolloutBoxes::draw_row(Ui& ui, const Row& row, double low, double high) con
   const float height = std::max(ui.px(24), ImGui::GetTextLineHeight());
   chart_area(ui, row.name, {ImGui::GetContentRegionAvail().x, height}, value, {.help = value});
   const Rect rect = item_rect();
-  const std::string middle = number(row.values->spread.median * learning::words_of(measure_).scale);
+  const std::string middle = measure_words(measure_, row.values->spread.median);
   const float name_width = ui.px(116);
-  const float numbers = ImGui::CalcTextSize("−0.000").x;
+  const float numbers = ImGui::CalcTextSize("−0.000 mm").x;
   const Rect area{rect.x0 + name_width, rect.y0 + ui.px(3), rect.x1 - numbers - ui.px(10), rect.y1 - ui.px(3)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float text_y = rect.centre_y() - 0.5F * ImGui::GetFontSize();
@@ -113,12 +113,8 @@ void RolloutBoxes::draw(Ui& ui, const workbench::ModelInsight& insight) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, ui.px(2)});
   for (const Row& row : rows) draw_row(ui, row, low, high);
   ImGui::PopStyleVar();
-  std::string words = fmt::format("{} to {}; box: the middle half, bar and number: the middle one",
-                                  measure_words(measure_, low), measure_words(measure_, high));
-  if (insight.spread->followed < insight.spread->starts) {
-    words += fmt::format("; {} of {} rollouts, evenly", count(static_cast<std::int64_t>(insight.spread->followed)),
-                         count(static_cast<std::int64_t>(insight.spread->starts)));
-  }
+  const std::string words = fmt::format("{} to {}; box: the middle half, bar and number: the middle one",
+                                        measure_words(measure_, low), measure_words(measure_, high));
   wrapped_text(ui, words, ui.theme().text_dim);
 }
 

@@ -344,6 +344,7 @@ void TrialsPanel::draw_results(Ui& ui, const WorkbenchState& state, Requests& re
     ImGui::EndTable();
   }
   for (const std::string& line : workbench::paired_lines(results_.paired)) wrapped_text(ui, line, ui.theme().text);
+  for (const std::string& line : workbench::participant_lines(results_)) wrapped_text(ui, line, ui.theme().text);
   ImGui::Dummy({0.0F, ui.px(4)});
   form_label(ui, "File");
   text_field(ui, "File", file_, "trials.csv");

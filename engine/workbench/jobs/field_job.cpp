@@ -103,6 +103,14 @@ Result<learning::Field> export_field(const FieldExport& request) {
   const std::string extension = ending_of(request.path);
   TROCAR_ASSIGN_OR_RETURN(learning::Field field, wanted_field(request));
   TROCAR_ASSIGN_OR_RETURN(const figure::FieldFigureOptions options, file_options(request, field));
+  if (request.slab > 1) {
+    if (!options.slice || field.categorical) {
+      return fail(ErrorCode::kInvalidArgument,
+                  field.categorical ? "classes have no thick slices" : "a slab is of one slice: say which");
+    }
+    field = learning::with_slab(field, options.slice->axis, options.slice->index, request.slab, request.through);
+    field.title += fmt::format(", {} of {} slices", learning::to_string(request.through), request.slab);
+  }
   if (extension == ".png") {
     const std::optional<double> dpi = options.print ? std::optional(options.print->dpi) : request.look.dpi;
     TROCAR_RETURN_IF_ERROR(media::write_png(request.path, figure::draw_field(field, options), dpi));

@@ -18,8 +18,10 @@ struct FieldExport {
   learning::Layer layer = learning::Layer::kReward;
   learning::FieldMask mask = learning::FieldMask::kNone;
   std::shared_ptr<const ModelEntry> against;  ///< B, if what B changes against `model` is written and not the field …
-  FieldContrast contrast = FieldContrast::kDifference;  ///< … and which of it.
-  std::string slice;                                    ///< "z=11"; empty: a montage of all slices.
+  FieldContrast contrast = FieldContrast::kDifference;      ///< … and which of it.
+  std::string slice;                                        ///< "z=11"; empty: a montage of all slices.
+  int slab = 1;                                             ///< Cells that the slice is thick …
+  learning::Through through = learning::Through::kLargest;  ///< … and what is written of them.
   FieldFileLook look;
   std::filesystem::path path;
 };

@@ -279,8 +279,7 @@ Result<PlotReport> export_plot(const PlotExport& request, Progress& progress) {
   if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before the plot was drawn");
   report.starts = starts.size();
   const bool ways = kind == PlotKind::kAxes || kind == PlotKind::kMultiples;
-  const std::size_t most = ways ? kMostListed : kind == PlotKind::kArrivals ? starts.size() : learning::kMostFollowed;
-  report.listed = std::min(starts.size(), most);
+  report.listed = ways ? std::min<std::size_t>(starts.size(), kMostListed) : starts.size();
   if (kind == PlotKind::kArrivals) {
     TROCAR_RETURN_IF_ERROR(write_curves(arrivals_of(request, starts, print), request.path, request.settings.dpi));
   } else if (kind == PlotKind::kBand) {

@@ -30,7 +30,7 @@ struct PlotReport {
 constexpr std::size_t kMostPlotted = 6;
 
 /// .png, .svg or .pdf; arrivals, band, boxes and learning curve also as .csv, and a map as every file of a field. The
-/// same rollouts as in the window: of all starts, up to `learning::kMostFollowed`; ways evenly over the starts if there
+/// same rollouts as in the window: of all starts; ways evenly over the starts if there
 /// are more than `kMostListed`.
 /// Threads: any. Errors: kInvalidArgument (starts, ending, preset, models without a curve, of other lattices or too
 /// many), kCancelled, kIo.

@@ -73,16 +73,13 @@ std::string name_of(const Rolled& of) {
 
 std::string outcomes_table(const std::vector<Rolled>& models) {
   std::string html = "<h2>How they end</h2>\n<table>\n";
-  html +=
-      row({"model", "starts", "arrive", "share", "95 % (Wilson)", "loop", "dead end", "outside", "from above"}, "th");
+  html += row({"model", "starts", "arrive", "share", "loop", "dead end", "outside", "from above"}, "th");
   for (const Rolled& of : models) {
     const learning::RolloutSummary& s = of.chosen;
-    const statistics::Interval interval = statistics::wilson_interval(s.arrived, s.count);
     html += row(
         {name_of(of), std::to_string(s.count), std::to_string(s.arrived),
-         statistics::percent_text(s.arrived, s.count, 1),
-         statistics::share_text(interval.low, 1) + " – " + statistics::share_text(interval.high, 1),
-         std::to_string(s.looped), std::to_string(s.dead_end), std::to_string(s.outside),
+         statistics::percent_text(s.arrived, s.count, 1), std::to_string(s.looped), std::to_string(s.dead_end),
+         std::to_string(s.outside),
          of.entry->segment == demonstration::Segment::kA ? statistics::percent_text(s.from_above, s.arrived, 1) : "–"});
   }
   return html + "</table>\n";
@@ -113,12 +110,25 @@ std::string pair_section(const std::vector<Rolled>& models, const Cells& starts)
   const statistics::Interval interval = statistics::paired_difference_interval(paired.wins_a, paired.wins_b, all);
   const double share = all == 0 ? 0.0 : static_cast<double>(paired.wins_b - paired.wins_a) / all;
   return fmt::format(
-      "<h2>A against B</h2>\n<p>From the same {} starts only A arrives {} times, only B {} times; the others end "
-      "alike. "
+      "<h2>A against B</h2>\n<p>From the same {} starts only A arrives {} times, only B {} times; from the others both "
+      "do or neither. "
       "B − A: {} points, 95 % interval {} … {}. McNemar's exact p {}.</p>\n",
       all, paired.wins_a, paired.wins_b, statistics::points_text(share, 1), statistics::points_text(interval.low, 1),
       statistics::points_text(interval.high, 1),
       paired.mcnemar_p < 0.001 ? std::string("&lt; 0.001") : fmt::format("= {:.3f}", paired.mcnemar_p));
+}
+
+std::string ends_table(const std::vector<Rolled>& models, const Cells& starts) {
+  const learning::OutcomeTable ends = learning::outcome_table(models[0].basin, models[1].basin, starts);
+  std::string html = "<table>\n" + row({"A", "B", "starts"}, "th");
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t j = 0; j < ends.size(); ++j) {
+      if (ends[i][j] == 0) continue;
+      html += row({std::string(learning::to_string(static_cast<learning::RolloutEnd>(i))),
+                   std::string(learning::to_string(static_cast<learning::RolloutEnd>(j))), std::to_string(ends[i][j])});
+    }
+  }
+  return html + "</table>\n";
 }
 
 /// A figure as the element of a page. Its names are its own, so that those of two drawings do not meet.
@@ -191,7 +201,7 @@ Status write_report(const ReportRequest& request, Progress& progress) {
       "</head>\n<body>\n<h1>{0}</h1>\n<p class=\"quiet\">from {2} starts ({3})</p>\n",
       escaped(title), kStyle, starts.size(), escaped(request.starts));
   html += outcomes_table(models);
-  if (models.size() > 1) html += pair_section(models, starts);
+  if (models.size() > 1) html += pair_section(models, starts) + ends_table(models, starts);
   const std::vector<std::pair<PlotKind, std::string_view>> figures{{PlotKind::kArrivals, "Arrivals"},
                                                                    {PlotKind::kBand, "Deviation from the expert"},
                                                                    {PlotKind::kBoxes, "Boxes"},

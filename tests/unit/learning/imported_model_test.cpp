@@ -105,7 +105,12 @@ TEST_CASE("imported rewards are the same field, and the agent takes the cheapest
   std::vector<double> even(512, -1.0);
   const Model straight = imported_model(small_grid(), {walked()}, 2, TableKind::kTheta, even).value();
   // Seven cells, of which the goal is not paid for.
-  CHECK(straight.value[static_cast<std::size_t>(straight.start.value)] == doctest::Approx(-6.0));
+  CHECK(straight.value[static_cast<std::size_t>(straight.start.value)] == -6.0);
+  // One cell that is not to be entered does not change what the others are worth.
+  even[0] = -1e12;
+  const Model warned = imported_model(small_grid(), {walked()}, 2, TableKind::kTheta, even).value();
+  CHECK(greedy_policy(warned) == greedy_policy(straight));
+  CHECK(warned.value[static_cast<std::size_t>(straight.start.value)] == -6.0);
 }
 
 TEST_CASE("where imported rewards are 0 the agent takes the shortest way, and never goes round") {

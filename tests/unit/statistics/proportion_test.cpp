@@ -73,9 +73,10 @@ TEST_CASE("a share is called 100 % or 0 % only where it is whole") {
   CHECK(percent_text(3, 8, 2) == "37.50 %");
   CHECK(percent_text(0, 0, 1) == "–");
   CHECK(share_text(0.99996, 2) == ">99.99 %");
-  CHECK(points_text(10646.0 / 10648.0, 1) == "+>99.9");
+  CHECK(points_text(10646.0 / 10648.0, 1) == ">+99.9");
   CHECK(points_text(1.0, 1) == "+100.0");
-  CHECK(points_text(-0.0002, 1) == "−<0.1");
+  CHECK(points_text(-0.0002, 1) == ">−0.1");
+  CHECK(points_text(-10646.0 / 10648.0, 1) == "<−99.9");
   CHECK(points_text(-0.125, 1) == "−12.5");
   CHECK(points_text(0.0, 1) == "0.0");
 }

@@ -89,7 +89,7 @@ TEST_CASE("one that is cancelled at once runs nothing and is no error") {
 TEST_CASE("a file of another seed or another table is refused, with its line") {
   PhysicsOptions options;
   PhysicsRollouts rollouts(few().size());
-  rollouts[0] = PhysicsRollout{PhysicsEnd::kLoops, 3, 0.5, 0.01, 0.0, 77};
+  rollouts[0] = PhysicsRollout{PhysicsEnd::kLoops, 3, 0, 0.5, 0.01, 0.0, 77};
   const std::string csv = physics_csv(driven(), few(), options, rollouts);
   PhysicsOptions other;
   other.seed = 2;
@@ -105,6 +105,7 @@ TEST_CASE("what is perturbed changes rollouts, the same way for a seed on one th
        {Perturbation{0.3, 0.0, 0.0}, Perturbation{0.0, 0.2, 0.0}, Perturbation{0.0, 0.0, 0.002}}) {
     PhysicsOptions options;
     options.perturbed = perturbed;
+    options.time_limit_s = 10.0;
     options.threads = 1;
     const PhysicsRollouts serial = run(options);
     CHECK(serial != plain);
@@ -119,12 +120,13 @@ TEST_CASE("what is perturbed changes rollouts, the same way for a seed on one th
 
 TEST_CASE("a late view of the tool makes it overshoot: it comes by cells again and takes longer, if it arrives") {
   PhysicsOptions options;
+  options.time_limit_s = 10.0;
   options.perturbed.delay_s = 0.25;
   const auto policy = learning::greedy_policy(driven());
   const PhysicsRollout late = physics_rollout(driven(), policy, driven().start, options);
   const PhysicsRollout ideal = physics_rollout(driven(), policy, driven().start, {});
   REQUIRE(ideal.end == PhysicsEnd::kArrives);
-  CHECK((late.end == PhysicsEnd::kLoops || late.steps > ideal.steps));
+  CHECK((late.end == PhysicsEnd::kTimeUp || late.steps > ideal.steps));
 }
 
 TEST_CASE("rollouts of one block or segment are not those of another") {
@@ -133,7 +135,7 @@ TEST_CASE("rollouts of one block or segment are not those of another") {
   other.block = 3;
   CHECK_FALSE(same_runs(options, other));
   PhysicsRollouts rollouts(few().size());
-  rollouts[0] = PhysicsRollout{PhysicsEnd::kLoops, 3, 0.5, 0.01, 0.0, 77};
+  rollouts[0] = PhysicsRollout{PhysicsEnd::kLoops, 3, 0, 0.5, 0.01, 0.0, 77};
   CHECK_FALSE(parse_physics_csv(physics_csv(driven(), few(), options, rollouts), driven(), few(), other));
 }
 

@@ -246,6 +246,75 @@ TEST_CASE("stop ends it in any segment as aborted, and the arms rest") {
   }
 }
 
+TEST_CASE("a fault of the arm ends the trial as a fault, and nothing moves it again") {
+  for (const std::int64_t tick : {2003, 8000}) {
+    auto session = SharedControlSession::create(shared()).value();
+    while (!session->done()) {
+      if (session->state().tick.count == tick) session->play_fault();
+      session->step();
+    }
+    CHECK(session->outcome() == Outcome::kFault);
+    CHECK(session->trial_status()->state == control::ControlState::kStopped);
+    CHECK(session->state().tick.count <= tick + 1010);
+    const auto samples = session->take_samples();
+    CHECK(samples[samples.size() - 1].arms[0].setpoint_p == samples[samples.size() - 100].arms[0].setpoint_p);
+    const auto events = session->take_events();
+    CHECK(std::any_of(events.begin(), events.end(), [](const TrialEvent& event) {
+      return event.kind == TrialEventKind::kOutcome && event.text.starts_with("fault");
+    }));
+  }
+}
+
+namespace {
+
+/// An assistant who moves to the right without a break, and whose link is cut for a while.
+class CutAssistant final : public OperatorInput {
+ public:
+  std::int64_t cut_from = 0;
+  std::int64_t cut_to = 0;
+  HandSample sample(const simulation::WorldState& seen) override {
+    HandSample hand;
+    hand.X_DH.p.x() = 0.05 * seen.tick.seconds();
+    return hand;
+  }
+  LinkState link(Tick now) override { return {now.count < cut_from || now.count >= cut_to, true, now}; }
+  std::string_view name() const override { return "second console"; }
+};
+
+}  // namespace
+
+TEST_CASE("a second person has the right arm, which holds while their link is cut and does not jump when it is back") {
+  Feet feet;
+  CutAssistant second;
+  second.cut_from = 1000;
+  second.cut_to = 1500;
+  auto session = SharedControlSession::create({}, {&feet, &second}).value();
+  CHECK(session->assistant_kind() == "person");
+  Eigen::Vector3d before = session->state().arms[1].X_WT.p;
+  double moved_while_cut_m = 0.0;
+  double moved_after_m = 0.0;
+  for (std::int64_t tick = 0; tick < 2500; ++tick) {
+    session->step();
+    const Eigen::Vector3d now = session->state().arms[1].X_WT.p;
+    const double step_m = (now - before).norm();
+    // 10 mm/s by the scale, and never more than the limits let it brake and begin.
+    CHECK(step_m < 0.0001);
+    if (tick > 1100 && tick < 1500) moved_while_cut_m += step_m;
+    if (tick > 1600) moved_after_m += step_m;
+    before = now;
+  }
+  CHECK(moved_while_cut_m < 1e-6);
+  CHECK(moved_after_m > 0.005);
+}
+
+TEST_CASE("hands that say that no person moves them are never called a person's") {
+  Feet feet;
+  CutAssistant second;
+  auto session = SharedControlSession::create({}, {&feet, &second, true}).value();
+  CHECK(session->provenance().operator_kind == "scripted");
+  CHECK(session->assistant_kind() == "scripted");
+}
+
 TEST_CASE("a constant delay shifts what the arm does by exactly that") {
   TrialOptions options;
   options.time_limit_s = 4.0;

@@ -79,3 +79,13 @@ TEST_CASE("a SpaceMouse pushed right, up and away moves the tool so, and a stuck
   CHECK(moved({0, 0, 350, 0, 0, 0}).x() == doctest::Approx(-0.060));
   CHECK(moved({100'000, 0, 0, 0, 0, 0}).y() == doctest::Approx(0.060));
 }
+
+TEST_CASE("the left bumper is the agent's pedal: down as long as it is held") {
+  StickHands stick;
+  GamepadLook pad;
+  pad.buttons = 1U << 4;
+  CHECK(std::get<HoldAgentPedal>(looked(stick, pad).at(0)).down);
+  CHECK(looked(stick, pad).empty());
+  pad.buttons = 0;
+  CHECK_FALSE(std::get<HoldAgentPedal>(looked(stick, pad).at(0)).down);
+}
