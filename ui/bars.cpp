@@ -62,8 +62,8 @@ void draw_menu_items(Ui& ui, const WorkbenchState& state, const Settings& settin
 // How much of the menu bar is spelled out; the first for which there is room is taken.
 enum class BarWords : std::uint8_t { kAll, kIcons, kOneMenu };
 
-constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceCommands{"view.library", "view.author", "view.fields",
-                                                                           "view.rollouts", "view.trials"};
+constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceCommands{
+    "view.library", "view.author", "view.fields", "view.rollouts", "view.trials", "view.export"};
 
 struct Lamp {
   std::string label;

@@ -11,7 +11,7 @@ struct Equivalent {
   std::string_view cli;
 };
 
-constexpr std::array<Equivalent, 78> kEquivalents{{
+constexpr std::array<Equivalent, 79> kEquivalents{{
     {"file.new", "trocar new P"},
     {"file.open", "trocar-workbench P"},
     {"trials.start", "trocar trial run P --mode MT|SC"},
@@ -19,6 +19,7 @@ constexpr std::array<Equivalent, 78> kEquivalents{{
     {"file.import", "trocar demo import P FILE"},
     {"file.export_demonstrations", "trocar demo export P DEMO FILE"},
     {"file.export_video", "trocar video render P DEMO --out F.mp4"},
+    {"film.", "trocar video render P F.json"},
     {"file.export_field", "trocar field export P MODEL --layer reward --montage --out F.png"},
     {"file.export_plot", "trocar rollout plot P MODEL --kind arrivals --out F.pdf"},
     {"file.checkpoint", "trocar history P --checkpoint NAME"},

@@ -26,6 +26,7 @@ struct RowData {
 };
 
 std::span<const RowData> file_rows();
+std::span<const RowData> film_rows();
 std::span<const RowData> undo_rows();
 std::span<const RowData> clipboard_rows();
 std::span<const RowData> edit_rows();

@@ -46,7 +46,7 @@ Requests comparison_in_view(const State& state) {
   return one(Command{CompareWith{settings}});
 }
 
-constexpr std::array<RowData, 20> kViewRows{{
+constexpr std::array<RowData, 21> kViewRows{{
     {"view.library",
      "View",
      "Library workspace",
@@ -92,6 +92,15 @@ constexpr std::array<RowData, 20> kViewRows{{
      false,
      nullptr,
      switch_workspace<Workspace::kTrials>},
+    {"view.export",
+     "View",
+     "Export workspace",
+     "Films: composed, looked at, and rendered in a queue",
+     nullptr,
+     {"Ctrl+6"},
+     false,
+     nullptr,
+     switch_workspace<Workspace::kExport>},
     {"view.camera_paper",
      "View",
      "Paper camera",

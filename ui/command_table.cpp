@@ -16,8 +16,8 @@ using State = WorkbenchState;
 std::vector<CommandRow> make_table() {
   std::vector<CommandRow> table;
   for (const auto rows : {file_rows(), undo_rows(), clipboard_rows(), edit_rows(), modify_rows(), record_rows(),
-                          trial_rows(), review_rows(), selection_rows(), tool_rows(), view_rows(), panel_rows(),
-                          layout_rows(), transport_rows(), help_rows()}) {
+                          trial_rows(), film_rows(), review_rows(), selection_rows(), tool_rows(), view_rows(),
+                          panel_rows(), layout_rows(), transport_rows(), help_rows()}) {
     for (const RowData& row : rows) {
       table.push_back(
           {row.id, row.menu, row.title, row.help, row.icon, {}, row.separator, row.context, row.reason, row.run});

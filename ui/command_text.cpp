@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <array>
-
 #include <cctype>
-#include "engine/film/composition_words.h"
 
 #include "engine/demonstration/edit_words.h"
 #include "engine/workbench/importing.h"
 #include "engine/workbench/jobs/field_job.h"
 #include "ui/edit_text.h"
+#include "ui/film_text.h"
 
 namespace trocar::ui {
 namespace {
@@ -288,26 +287,6 @@ std::string learning_text(const workbench::LearningSettings& settings, const Wor
   return "";
 }
 
-constexpr std::array<const char*, 4> kCameras{"paper", "top", "side", "front"};
-
-std::string video_text(const ExportVideo& video, const std::string& project) {
-  std::string text =
-      fmt::format("trocar video render {}{} --out {} --fps {:g} --size {}x{} --layout {}", project,
-                  ids(video.demonstrations), shell_word(video.path.string()), video.fps, video.width, video.height,
-                  video.demonstrations.size() > 1 ? film::word_of(film::kLayouts, video.two) : "single");
-  if (video.demonstrations.size() > 1 && video.sync != film::Sync::kClock) {
-    text += fmt::format(" --sync {}", film::word_of(film::kSyncs, video.sync));
-  }
-  if (video.speed != 1.0) text += fmt::format(" --speed {:g}", video.speed);
-  if (video.camera != scene::CameraPreset::kPaper) {
-    text += fmt::format(" --camera {}", kCameras[static_cast<std::size_t>(video.camera)]);
-  }
-  if (video.codec != media::Codec::kAuto) text += fmt::format(" --codec {}", media::to_string(video.codec));
-  if (!video.captions) text += " --no-captions";
-  if (video.captions && video.all_overlays) text += " --overlays all";
-  return text;
-}
-
 /// Of a person there is none: nobody sits at the command line.
 std::string trials_text(const StartTrials& trials, const std::string& project) {
   if (trials.person) return "";
@@ -391,9 +370,8 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
   if (const auto* fix = std::get_if<FixProblems>(&command)) {
     return fmt::format("trocar demo check {} {} --fix all", project, fix->demonstration.value);
   }
-  if (const auto* video = std::get_if<ExportVideo>(&command)) {
-    return video_text(*video, project);
-  }
+  if (const auto* video = std::get_if<ExportVideo>(&command)) return film_text(*video, project);
+  if (const auto* film = std::get_if<RenderFilm>(&command)) return film_text(film->film, state);
   if (const auto* compare = std::get_if<CompareWith>(&command)) {
     return fmt::format("trocar demo diff {} {} --against {} --align {}", project, state.demonstration.value,
                        to_words(compare->settings.against), demonstration::to_string(compare->settings.alignment));

@@ -4,6 +4,7 @@
 #include "ui/panels/curves_panel.h"
 #include "ui/panels/diff_panel.h"
 #include "ui/panels/edits_panel.h"
+#include "ui/panels/export_panel.h"
 #include "ui/panels/fields_panel.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/inspector_panel.h"
@@ -50,6 +51,8 @@ std::unique_ptr<Panel> make_panel(PanelId panel, const std::shared_ptr<SharedTim
       return std::make_unique<ModelsPanel>();
     case PanelId::kTrials:
       return std::make_unique<TrialsPanel>();
+    case PanelId::kExport:
+      return std::make_unique<ExportPanel>();
     case PanelId::kDiff:
       return std::make_unique<DiffPanel>(time);
   }

@@ -121,6 +121,16 @@ constexpr PanelPage kTrials{
       {"Move the left tool", "W S A D Q E; Z X turn it"},
       {"Open or shut its jaws", "C"}}}};
 
+constexpr PanelPage kExport{
+    "Films: what is in them, how they look, and the queue",
+    "Sources are demonstrations, trials, fields of models and curves; each recording has its camera, which goes by "
+    "keys "
+    "taken from the 3-D view. The picture is a frame of the film as it will be. The film is kept as a job in a file, "
+    "which the command line renders to the same frames; films wait in the queue, can be held there, and leave no half "
+    "file when they are given up.",
+    {"view.export", "film.", "file.export_video"},
+    {}};
+
 }  // namespace
 
 const PanelPage& page_of(PanelId panel) {
@@ -155,6 +165,8 @@ const PanelPage& page_of(PanelId panel) {
       return kModels;
     case PanelId::kTrials:
       return kTrials;
+    case PanelId::kExport:
+      return kExport;
     case PanelId::kDiff:
       return kDiff;
   }

@@ -22,8 +22,8 @@ struct Settings {
   ThemeKind theme = ThemeKind::kDark;
   Workspace workspace = Workspace::kAuthor;
   std::array<Tile, kWorkspaceCount> layouts{default_layout(Workspace::kLibrary), default_layout(Workspace::kAuthor),
-                                            default_layout(Workspace::kFields), default_layout(Workspace::kRollouts),
-                                            default_layout(Workspace::kTrials)};
+                                            default_layout(Workspace::kFields),  default_layout(Workspace::kRollouts),
+                                            default_layout(Workspace::kTrials),  default_layout(Workspace::kExport)};
   std::array<std::vector<NamedLayout>, kWorkspaceCount> named;
   KeyChoices keys;
   WindowSize window;

@@ -16,28 +16,14 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::array<std::string_view, kPanelCount> kTitles{
-    "Library", "View", "Timeline", "Fields",   "Rollouts", "Train", "Inspector", "History",
-    "Jobs",    "Log",  "Edits",    "Problems", "Curves",   "Diff",  "Models",    "Trials"};
-constexpr std::array<const char*, kPanelCount> kIcons{icon::kTable, icon::kCube,   icon::kSliders, icon::kThLarge,
-                                                      icon::kRoad,  icon::kTrain,  icon::kInfo,    icon::kHistory,
-                                                      icon::kTasks, icon::kList,   icon::kPencil,  icon::kWarning,
-                                                      icon::kChart, icon::kBranch, icon::kBalance, icon::kUsers};
-constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceTitles{"Library", "Author", "Fields", "Rollouts",
-                                                                         "Trials"};
-
-Tile tabs(std::vector<PanelId> panels) {
-  Tile tile;
-  tile.panels = std::move(panels);
-  return tile;
-}
-
-Tile split(Tile::Kind kind, std::vector<float> shares, std::vector<Tile> children) {
-  Tile tile;
-  tile.kind = kind;
-  tile.shares = std::move(shares);
-  tile.children = std::move(children);
-  return tile;
-}
+    "Library", "View",  "Timeline", "Fields", "Rollouts", "Train",  "Inspector", "History", "Jobs",
+    "Log",     "Edits", "Problems", "Curves", "Diff",     "Models", "Trials",    "Export"};
+constexpr std::array<const char*, kPanelCount> kIcons{
+    icon::kTable, icon::kCube,    icon::kSliders, icon::kThLarge, icon::kRoad,   icon::kTrain,
+    icon::kInfo,  icon::kHistory, icon::kTasks,   icon::kList,    icon::kPencil, icon::kWarning,
+    icon::kChart, icon::kBranch,  icon::kBalance, icon::kUsers,   icon::kFilm};
+constexpr std::array<std::string_view, kWorkspaceCount> kWorkspaceTitles{"Library",  "Author", "Fields",
+                                                                         "Rollouts", "Trials", "Export"};
 
 void collect_panels(const Tile& tile, std::vector<PanelId>& panels) {
   panels.insert(panels.end(), tile.panels.begin(), tile.panels.end());
@@ -160,7 +146,8 @@ std::vector<float> sizes_of(const std::vector<Group>& groups, float room) {
 }
 
 void place_tabs(std::vector<PanelId> panels, const Rect& rect, Placement& out) {
-  out.merged.push_back(std::make_unique<Tile>(tabs(std::move(panels))));
+  out.merged.push_back(std::make_unique<Tile>());
+  out.merged.back()->panels = std::move(panels);
   out.tiles.push_back({out.merged.back().get(), rect, true});
 }
 
@@ -302,8 +289,8 @@ const char* icon_of(PanelId panel) {
 }
 
 PanelId main_panel(Workspace workspace) {
-  constexpr std::array<PanelId, kWorkspaceCount> kMain{PanelId::kLibrary, PanelId::kTimeline, PanelId::kFields,
-                                                       PanelId::kRollouts, PanelId::kTrials};
+  constexpr std::array<PanelId, kWorkspaceCount> kMain{PanelId::kLibrary,  PanelId::kTimeline, PanelId::kFields,
+                                                       PanelId::kRollouts, PanelId::kTrials,   PanelId::kExport};
   return kMain[static_cast<std::size_t>(workspace)];
 }
 
@@ -356,43 +343,6 @@ std::vector<PanelId> panels_of(const Tile& root) {
 bool same_places(const Tile& a, const Tile& b) {
   return a.kind == b.kind && a.hidden == b.hidden && a.panels == b.panels && a.shares == b.shares &&
          std::equal(a.children.begin(), a.children.end(), b.children.begin(), b.children.end(), same_places);
-}
-
-Tile default_layout(Workspace workspace) {
-  using enum PanelId;
-  constexpr auto row = Tile::Kind::kRow;
-  constexpr auto column = Tile::Kind::kColumn;
-  switch (workspace) {
-    case Workspace::kLibrary:
-      return split(row, {0.52F, 0.48F},
-                   {split(column, {0.72F, 0.28F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog})}),
-                    split(column, {0.52F, 0.48F},
-                          {tabs({kView}), tabs({kInspector, kEdits, kTrain, kTimeline, kCurves, kDiff, kFields, kModels,
-                                                kRollouts, kTrials})})});
-    case Workspace::kAuthor:
-      return split(row, {0.245F, 0.515F, 0.24F},
-                   {split(column, {0.64F, 0.36F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog})}),
-                    split(column, {0.54F, 0.46F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kInspector, kEdits, kTrain, kFields, kModels, kRollouts, kTrials})});
-    case Workspace::kFields:
-      return split(row, {0.235F, 0.405F, 0.36F},
-                   {split(column, {0.6F, 0.4F},
-                          {tabs({kLibrary}), tabs({kTrain, kInspector, kEdits, kHistory, kProblems, kJobs, kLog})}),
-                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kFields, kModels, kRollouts, kTrials})});
-    case Workspace::kRollouts:
-      return split(row, {0.235F, 0.385F, 0.38F},
-                   {split(column, {0.6F, 0.4F},
-                          {tabs({kLibrary}), tabs({kTrain, kInspector, kEdits, kHistory, kProblems, kJobs, kLog})}),
-                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kRollouts, kFields, kModels, kTrials})});
-    case Workspace::kTrials:
-      return split(row, {0.20F, 0.46F, 0.34F},
-                   {split(column, {0.6F, 0.4F}, {tabs({kLibrary}), tabs({kHistory, kProblems, kJobs, kLog, kTrain})}),
-                    split(column, {0.66F, 0.34F}, {tabs({kView}), tabs({kTimeline, kCurves, kDiff})}),
-                    tabs({kTrials, kInspector, kEdits, kFields, kModels, kRollouts})});
-  }
-  return tabs({kView});
 }
 
 std::string to_json(const Tile& root) {

@@ -30,15 +30,16 @@ enum class PanelId : std::uint8_t {
   kDiff,
   kModels,
   kTrials,
+  kExport,
 };
-constexpr std::size_t kPanelCount = 16;
+constexpr std::size_t kPanelCount = 17;
 /// "Library", as on its tab.
 std::string_view title(PanelId panel);
 const char* icon_of(PanelId panel);
 
 /// The jobs of a day; each has a layout of its own.
-enum class Workspace : std::uint8_t { kLibrary, kAuthor, kFields, kRollouts, kTrials };
-constexpr std::size_t kWorkspaceCount = 5;
+enum class Workspace : std::uint8_t { kLibrary, kAuthor, kFields, kRollouts, kTrials, kExport };
+constexpr std::size_t kWorkspaceCount = 6;
 std::string_view title(Workspace workspace);
 /// What it is there for.
 PanelId main_panel(Workspace workspace);

@@ -106,13 +106,7 @@ Result<film::Composition> film_from(const FilmArguments& arguments) {
     if (arguments.preset) {
       TROCAR_ASSIGN_OR_RETURN(film, film::preset_from(*arguments.preset));
     }
-    const std::size_t count = arguments.sources.size();
-    if (count != film::room_of(film.layout).most) {
-      film.layout = count == 1   ? film::Layout::kSingle
-                    : count == 2 ? film::Layout::kSideBySide
-                    : count <= 4 ? film::Layout::kTwoByTwo
-                                 : film::Layout::kThreeByThree;
-    }
+    film.layout = film::layout_for(film.layout, arguments.sources.size());
     for (const std::string& text : arguments.sources) film.sources.push_back(film::recording_of(text));
   }
   TROCAR_RETURN_IF_ERROR(apply(arguments, film));

@@ -127,6 +127,13 @@ Room room_of(Layout layout) {
   return {1, 9};
 }
 
+Layout layout_for(Layout wanted, std::size_t sources) {
+  if (sources == room_of(wanted).most) return wanted;
+  if (sources <= 1) return Layout::kSingle;
+  if (sources == 2) return Layout::kSideBySide;
+  return sources <= 4 ? Layout::kTwoByTwo : Layout::kThreeByThree;
+}
+
 Source recording_of(std::string name) {
   Source source;
   source.of = std::move(name);

@@ -20,6 +20,8 @@ struct Room {
   std::size_t most = 1;
 };
 Room room_of(Layout layout);
+/// The layout for so many sources: `wanted`, if that is what it shows when it is full; else by their number.
+Layout layout_for(Layout wanted, std::size_t sources);
 
 enum class Corner : std::uint8_t { kTopLeft, kTopRight, kBottomLeft, kBottomRight };
 

@@ -26,6 +26,7 @@
 #include "engine/workbench/curves.h"
 #include "engine/workbench/edit.h"
 #include "engine/workbench/field_settings.h"
+#include "engine/workbench/film_draft.h"
 #include "engine/workbench/import_settings.h"
 #include "engine/workbench/job_view.h"
 #include "engine/workbench/plot_settings.h"
@@ -327,6 +328,28 @@ struct ExportVideo {
   film::Sync sync = film::Sync::kClock;
   film::Layout two = film::Layout::kSideBySide;  ///< How two lie.
 };
+/// The film that is being made, from now on.
+struct SetFilm {
+  FilmDraft draft;
+};
+/// Draws the film that is being made at its instant, behind the window.
+struct PreviewFilm {};
+/// Queues a film, as it is in the composition.
+struct RenderFilm {
+  film::Composition film;
+};
+/// The film that is being made is that of a job in a file, or is written as one.
+struct OpenFilmJob {
+  std::filesystem::path path;
+};
+struct SaveFilmJob {
+  std::filesystem::path path;
+};
+/// Of the job that runs, if it is a film; false goes on.
+struct PauseJob {
+  JobId id;
+  bool paused = true;
+};
 struct ExportField {
   ModelId model;
   learning::Layer layer = learning::Layer::kReward;
@@ -371,15 +394,14 @@ struct Report {
   std::string sentence;
 };
 
-using Command =
-    std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
-                 SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch,
-                 NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping,
-                 SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetFieldLayers,
-                 SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, ExportPlot, RecordScripted,
-                 StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay,
-                 SimulateDemonstration, FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport,
-                 MakeImport, ExportDemonstrations, CancelJob, Report, StartTrials, StartBlock, PauseTrials, StopTrial,
-                 EndTrials, MarkIncident, ExportTrials>;
+using Command = std::variant<
+    OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo, SelectDemonstration,
+    SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch, NameCheckpoint, SketchHistory,
+    SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize,
+    SetBackdrop, ShowFilmstrip, SetField, SetFieldLayers, SetRollouts, SetLearning, RunMonteCarlo, RunPhysics,
+    ExportRollouts, ExportPlot, RecordScripted, StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake,
+    TrainModel, VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, ImportTable, ReadImport,
+    EndImport, MakeImport, ExportDemonstrations, CancelJob, Report, StartTrials, StartBlock, PauseTrials, StopTrial,
+    EndTrials, MarkIncident, ExportTrials, SetFilm, PreviewFilm, RenderFilm, OpenFilmJob, SaveFilmJob, PauseJob>;
 
 }  // namespace trocar::workbench

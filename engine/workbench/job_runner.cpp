@@ -25,11 +25,16 @@ JobRunner::~JobRunner() {
   wake_.release();
 }
 
-JobId JobRunner::start(std::string title, Work work, bool hidden) {
+JobId JobRunner::start(std::string title, Work work, bool hidden, std::filesystem::path film) {
   auto job = std::make_shared<Job>();
   job->id = JobId{++last_id_};
   job->work = std::move(work);
-  views_.insert(views_.begin(), JobView{job->id, std::move(title), JobState::kQueued, 0.0, {}, hidden});
+  JobView shown;
+  shown.id = job->id;
+  shown.title = std::move(title);
+  shown.hidden = hidden;
+  shown.film = std::move(film);
+  views_.insert(views_.begin(), std::move(shown));
   waiting_.push_back(job);
   start_next();
   return job->id;
@@ -53,7 +58,17 @@ void JobRunner::cancel_all() {
   for (const JobId id : ids) cancel(id);
 }
 
-std::vector<JobView> JobRunner::poll() {
+void JobRunner::pause(JobId id, bool paused) {
+  if (!running_ || running_->id != id) return;
+  running_->progress.pause(paused);
+  if (JobView* shown = view(id)) shown->paused = paused;
+}
+
+bool JobRunner::paused() const {
+  return running_ && running_->progress.paused();
+}
+
+std::vector<JobView> JobRunner::poll(double now_s) {
   std::vector<JobView> ended;
   while (auto done = from_thread_.pop()) {
     running_.reset();
@@ -61,7 +76,14 @@ std::vector<JobView> JobRunner::poll() {
     start_next();
   }
   if (running_) {
-    if (JobView* shown = view(running_->id)) shown->fraction = running_->progress.fraction();
+    const Progress& progress = running_->progress;
+    left_.look(now_s, progress.fraction(), progress.paused());
+    if (JobView* shown = view(running_->id)) {
+      shown->fraction = progress.fraction();
+      shown->done = progress.done();
+      shown->of = progress.of();
+      shown->left_s = left_.left_s();
+    }
   }
   constexpr std::size_t kKept = 50;
   if (views_.size() > kKept && !busy()) views_.resize(kKept);
@@ -73,9 +95,12 @@ JobView JobRunner::conclude(const Done& done) {
   // Only now: what was applied may have started a job, which moves the list.
   JobView* shown = view(done.id);
   if (shown == nullptr) return {};
+  shown->paused = false;
+  shown->left_s.reset();
   if (done.result && applied) {
     shown->state = JobState::kDone;
     shown->fraction = 1.0;
+    shown->done = shown->of;
     shown->message = done.result->message;
   } else {
     const Error& error = done.result ? applied.error() : done.result.error();
@@ -92,6 +117,7 @@ void JobRunner::start_next() {
   if (running_ || waiting_.empty()) return;
   running_ = waiting_.front();
   waiting_.pop_front();
+  left_ = {};
   if (JobView* shown = view(running_->id)) shown->state = JobState::kRunning;
   auto copy = running_;
   if (to_thread_.push(std::move(copy))) wake_.release();

@@ -96,6 +96,9 @@ void Workbench::Impl::take_project(std::shared_ptr<ProjectFile> opened) {
   file = std::move(opened);
   state.clipboard.reset();
   state.selection.reset();
+  state.film = {};
+  state.film_preview.reset();
+  state.film_file.reset();
   state.monte_carlo.reset();
   state.physics.reset();
   state.rollouts.selected.reset();
@@ -180,12 +183,12 @@ std::string Workbench::Impl::description_of(std::int64_t node) const {
 
 void Workbench::Impl::poll_jobs() {
   for (JobRunner* runner : {&opening, &reading, &editing, &jobs}) {
-    for (const JobView& ended : runner->poll()) {
+    for (const JobView& ended : runner->poll(options.clock->now_s())) {
       if (ended.state == JobState::kFailed) log(Severity::kError, ended.title + ": " + ended.message);
       if (ended.state == JobState::kDone && !ended.hidden) log(Severity::kInfo, ended.title + ": " + ended.message);
       dirty = true;
     }
-    if (runner->busy()) dirty = true;
+    if (runner->busy() && !runner->paused()) dirty = true;
   }
   if (trainings.poll(jobs.jobs())) {
     state.training = trainings.running();
@@ -242,6 +245,7 @@ bool Workbench::Impl::poll() {
   follow_batch();
   sketch_history();
   follow_filmstrip();
+  follow_film();
   if (view && view->poll(state, now_s)) dirty = true;
   return std::exchange(dirty, false);
 }
@@ -264,7 +268,8 @@ bool Workbench::busy() const {
          impl_->insight.pending() || impl_->preview.pending() || impl_->review.pending() ||
          impl_->preview_review.pending() || impl_->curves.pending() || impl_->comparison.pending() ||
          impl_->seeds.pending() || impl_->state.library_pending || impl_->state.batch_pending ||
-         !impl_->sketches_wanted.empty() || impl_->filmstrip.busy() || (impl_->view && impl_->view->busy());
+         !impl_->sketches_wanted.empty() || impl_->filmstrip.busy() || impl_->state.film_preview_pending ||
+         (impl_->view && impl_->view->busy());
 }
 
 Status Workbench::wait_idle(double limit_s, const Progress* progress) {

@@ -5,8 +5,6 @@
 #include "engine/demonstration/edit_words.h"
 #include "engine/learning/learning_history.h"
 #include "engine/workbench/jobs/field_job.h"
-#include "engine/workbench/jobs/film_camera.h"
-#include "engine/workbench/jobs/film_job.h"
 #include "engine/workbench/jobs/train_job.h"
 #include "engine/workbench/workbench_impl.h"
 
@@ -174,37 +172,6 @@ void Workbench::Impl::on(const VerifyReplay& command) {
         }};
   };
   jobs.start("Replay " + shown->name, work);
-}
-
-void Workbench::Impl::on(const ExportVideo& command) {
-  if (!is_output(command.path)) return;
-  FilmJob job;
-  for (const DemonstrationId id : command.demonstrations) {
-    if (!demonstration(id)) return log(Severity::kError, fmt::format("there is no demonstration {}", id.value));
-    film::Source source = film::recording_of(fmt::format("{}", id.value));
-    source.camera.view = film_view(command.camera);
-    job.film.sources.push_back(std::move(source));
-  }
-  job.project = state.project;
-  job.path = command.path;
-  job.film.width = command.width;
-  job.film.height = command.height;
-  job.film.fps = command.fps;
-  job.film.pace.speed = command.speed;
-  job.film.codec = media::to_string(command.codec);
-  job.film.layout = command.demonstrations.size() == 2 ? command.two : film::Layout::kSingle;
-  if (command.demonstrations.size() == 2) job.film.pace.sync = command.sync;
-  for (std::size_t i = 0; i < film::kOverlayCount && command.all_overlays; ++i) {
-    job.film.overlays.set(static_cast<film::Overlay>(i));
-  }
-  if (!command.captions) job.film.overlays = {};
-  const auto work = [job](Progress& progress) -> Result<JobResult> {
-    TROCAR_ASSIGN_OR_RETURN(const FilmReport report, render_film(job, progress));
-    std::string told = fmt::format("{} frames in {:.1f} s", report.frames, report.seconds);
-    for (const std::string& warning : report.warnings) told += "; " + warning;
-    return JobResult{told, {}};
-  };
-  jobs.start("Film " + command.path.filename().string(), work);
 }
 
 void Workbench::Impl::on(const ExportField& command) {

@@ -11,6 +11,7 @@
 #include "engine/device/space_mouse.h"
 #include "engine/link/hand_server.h"
 #include "engine/trial/stick_hands.h"
+#include "engine/workbench/film_preview_maker.h"
 #include "engine/workbench/job_runner.h"
 #include "engine/workbench/latest_worker.h"
 #include "engine/workbench/live_recording.h"
@@ -71,6 +72,12 @@ struct Workbench::Impl {
   void on(const SimulateDemonstration& command);
   void on(const FixProblems& command);
   void on(const ExportVideo& command);
+  void on(const SetFilm& command);
+  void on(const PreviewFilm& command);
+  void on(const RenderFilm& command);
+  void on(const OpenFilmJob& command);
+  void on(const SaveFilmJob& command);
+  void on(const PauseJob& command);
   void on(const ExportField& command);
   void on(const ImportTable& command);
   void on(const ReadImport& command);
@@ -143,6 +150,9 @@ struct Workbench::Impl {
   /// Into the project that it was learned from, even if another is open by now.
   Status keep_model(const std::shared_ptr<ProjectFile>& owner, const std::shared_ptr<const ModelEntry>& entry);
   void follow_filmstrip();
+  void follow_film();
+  /// Queues it; `film.path` says where it goes.
+  void start_film(film::Composition film);
   void poll_recording();
   /// The next transfer of the block, or its end.
   void go_on_with_trials();
@@ -176,6 +186,8 @@ struct Workbench::Impl {
   double disk_looked_s = -1e9;
   std::optional<ViewDirector> view;
   FilmstripMaker filmstrip;
+  using FilmPreviewWorker = LatestWorker<FilmPreviewRequest, std::shared_ptr<const FilmPreview>>;
+  std::unique_ptr<FilmPreviewWorker> film_preview;  ///< Begins with the first film that is looked at.
   /// What review, its preview, curves and library work out once for all of them.
   std::shared_ptr<review::ClearanceStore> distances = std::make_shared<review::ClearanceStore>();
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;

@@ -14,6 +14,7 @@
 #include "engine/workbench/command.h"
 #include "engine/workbench/edit_preview.h"
 #include "engine/workbench/exporting.h"
+#include "engine/workbench/film_preview.h"
 #include "engine/workbench/filmstrip.h"
 #include "engine/workbench/insight.h"
 #include "engine/workbench/job_view.h"
@@ -133,6 +134,11 @@ struct WorkbenchState {
   bool light_backdrop = false;
   /// What `ShowFilmstrip` asked for; null until then, and while something is recorded.
   std::shared_ptr<const Filmstrip> filmstrip;
+
+  FilmDraft film;                                   ///< As `SetFilm` or a job in a file said.
+  std::shared_ptr<const FilmPreview> film_preview;  ///< As `PreviewFilm` last found it; null until then.
+  bool film_preview_pending = false;
+  std::optional<FilmFile> film_file;  ///< Opened or written in this run of the program.
 
   std::vector<JobView> jobs;  ///< Newest first.
   std::vector<LogLine> log;   ///< Oldest first, at most 500.

@@ -215,6 +215,55 @@ WorkbenchState with_brush() {
   return state;
 }
 
+/// A film of two demonstrations and a field, at an instant; one is being rendered, one waits, two have ended.
+WorkbenchState with_film() {
+  WorkbenchState state = testing::made_state_with_model();
+  workbench::FilmDraft& draft = state.film;
+  film::Source field = film::recording_of("3");
+  field.kind = film::SourceKind::kField;
+  draft = with_source(std::move(draft), film::recording_of("2"));
+  draft = with_source(std::move(draft), std::move(field));
+  draft = with_source(std::move(draft), film::recording_of("1"));
+  draft.at_s = 1.5;
+  draft = with_key(std::move(draft), state.orbit);
+  draft.at_s = 3.2;
+  draft = with_key(std::move(draft), state.orbit);
+  draft.film.path = "/tmp/pair.mp4";
+  draft.job = "/tmp/pair.json";
+  auto preview = std::make_shared<workbench::FilmPreview>();
+  preview->of = workbench::look_of(draft.film);
+  Image picture(640, 360, {214, 220, 228, 255});
+  for (int y = 120; y < 300; ++y) {
+    for (int x = 60; x < 580; ++x) picture.set(x, y, {120, static_cast<std::uint8_t>(90 + y / 3), 160, 255});
+  }
+  preview->picture = std::make_shared<const Image>(std::move(picture));
+  preview->number = 1;
+  preview->frame = 96;
+  preview->frames = 300;
+  preview->length_s = 9.967;
+  state.film_preview = preview;
+  const auto job = [](std::int64_t id, const char* path, workbench::JobState of) {
+    workbench::JobView view;
+    view.id = {id};
+    view.film = path;
+    view.title = "Film " + view.film.filename().string();
+    view.state = of;
+    return view;
+  };
+  workbench::JobView held = job(13, "/data/pair.mp4", workbench::JobState::kRunning);
+  held.fraction = 0.5;
+  held.done = 150;
+  held.of = 300;
+  held.paused = true;
+  workbench::JobView done = job(11, "/data/slide.mp4", workbench::JobState::kDone);
+  done.message = "300 frames in 9.8 s";
+  workbench::JobView failed = job(10, "/full/disk.mp4", workbench::JobState::kFailed);
+  failed.message = "could not write the film: /full/disk.mp4";
+  state.jobs = {job(14, "/data/next.mp4", workbench::JobState::kQueued), held,
+                job(12, "/data/given_up.mp4", workbench::JobState::kCancelled), done, failed};
+  return state;
+}
+
 void type_in_palette(Driver& driver, WorkbenchState&) {
   REQUIRE(driver.key("Ctrl+P"));
   REQUIRE(driver.frames(3));
@@ -252,6 +301,10 @@ std::vector<Scene> scenes() {
           {"rollouts_map", PanelId::kRollouts, with_failures(), {}, {640, 1100}},
           {"rollouts_table", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Table"), {640, 900}},
           {"rollouts_paths", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Paths"), {640, 1100}},
+          {"export_sources", PanelId::kExport, with_film(), {}, {640, 900}},
+          {"export_look", PanelId::kExport, with_film(), open("Export/Page/Look"), {640, 900}},
+          {"export_file", PanelId::kExport, with_film(), open("Export/Page/File"), {640, 900}},
+          {"export_queue", PanelId::kExport, with_film(), open("Export/Page/Queue")},
           {"rollouts_pair", PanelId::kRollouts, with_failures(), open("Rollouts/Page/Two models"), {640, 900}}};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "engine/demonstration/edits.h"
 #include "engine/learning/model.h"
@@ -41,6 +42,17 @@ inline std::shared_ptr<const demonstration::Recording> made_recording(std::uint6
     recording->samples.push_back(sample);
   }
   return recording;
+}
+
+inline workbench::JobView made_job(std::int64_t id, std::string title, workbench::JobState of, double fraction,
+                                   std::string message = "") {
+  workbench::JobView job;
+  job.id = {id};
+  job.title = std::move(title);
+  job.state = of;
+  job.fraction = fraction;
+  job.message = std::move(message);
+  return job;
 }
 
 inline std::shared_ptr<const workbench::ModelEntry> made_model() {
@@ -136,8 +148,8 @@ inline workbench::WorkbenchState made_state_with_model() {
   state.history.push_back({3, 2, "add model", "Train exact A", "2026-03-01T12:05:00Z"});
   state.head = 3;
   work_out(state);
-  state.jobs = {{{2}, "Train eg-maxent on segment A", workbench::JobState::kRunning, 0.42, ""},
-                {{1}, "Verify Expert 1", workbench::JobState::kDone, 1.0, "Every state is the same"}};
+  state.jobs = {made_job(2, "Train eg-maxent on segment A", workbench::JobState::kRunning, 0.42),
+                made_job(1, "Verify Expert 1", workbench::JobState::kDone, 1.0, "Every state is the same")};
   state.log = {{"12:03:41", workbench::Severity::kInfo, "Opened the project"},
                {"12:05:02", workbench::Severity::kWarning, "The film was shortened"}};
   return state;

@@ -22,10 +22,11 @@ std::string subtitles_of(const FilmRenderer& renderer, double fps) {
 Status draw_all(FilmRenderer& renderer, Studio& studio, FilmSink& sink, Progress& progress) {
   const int frames = renderer.frame_count();
   for (int frame = 0; frame < frames; ++frame) {
+    progress.wait_while_paused();
     if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the film was cancelled");
     TROCAR_ASSIGN_OR_RETURN(Image picture, renderer.frame(studio, frame));
     TROCAR_RETURN_IF_ERROR(sink.add(std::move(picture)));
-    progress.set((frame + 1.0) / frames);
+    progress.count(frame + 1, frames);
   }
   if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the film was cancelled");
   return {};

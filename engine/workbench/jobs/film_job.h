@@ -32,7 +32,7 @@ struct FilmReport {
 
 /// The same job gives the same frames: frame k depends on k and on the project alone. Threads: any that holds no GL
 /// context. Errors: those of `FilmRenderer::create` and `open_film_sink`; kInvalidArgument without a path; kCancelled,
-/// which leaves no file.
+/// which leaves no file. A pause holds it between two frames.
 Result<FilmReport> render_film(const FilmJob& job, Progress& progress);
 
 /// Whether something of the film needs models open whole.

@@ -56,7 +56,7 @@ TEST_CASE("a training that runs shows its curve so far, and can be stopped") {
   CHECK(desk.session->items().find("Train/Running/Learning curve") == nullptr);
   workbench::TrainingView running{workbench::JobId{7}, "paper A 2", {0.9, 0.7, 0.65}, 100};
   desk.state.training = std::make_shared<const workbench::TrainingView>(running);
-  desk.state.jobs = {{workbench::JobId{7}, "Train paper A 2", workbench::JobState::kRunning, 0.03, "", false}};
+  desk.state.jobs = {testing::made_job(7, "Train paper A 2", workbench::JobState::kRunning, 0.03)};
   CHECK(driver.frames(3));
   const Item* curve = desk.session->items().find("Train/Running/Learning curve");
   REQUIRE(curve != nullptr);

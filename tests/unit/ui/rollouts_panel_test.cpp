@@ -164,7 +164,7 @@ TEST_CASE("erring at random is asked for as set, and what was stopped says how f
   const int shown = 100 * half.finished / static_cast<int>(half.starts.size());
   CHECK(text_of(desk.driver().expect_present("Rollouts/Err at random/" + std::to_string(shown) + " %", true)) == "");
   CHECK(desk.value("Rollouts/Err at random/Share").find("95 % interval") != std::string::npos);
-  desk.state.jobs = {{{9}, "Err at random, ε = 0.1", workbench::JobState::kRunning, 0.2, ""}};
+  desk.state.jobs = {testing::made_job(9, "Err at random, ε = 0.1", workbench::JobState::kRunning, 0.2)};
   CHECK(desk.driver().frames(3));
   desk.click("Rollouts/Err at random/Stop");
   REQUIRE(desk.last<workbench::CancelJob>() != nullptr);

@@ -104,3 +104,78 @@ TEST_CASE("a runner that is destroyed cancels the running job and forgets the re
   }
   CHECK_FALSE(second_ran);
 }
+
+TEST_CASE("a running job is paused, and goes on or is cancelled from there; one that waits cannot be") {
+  for (const bool cancelled : {false, true}) {
+    JobRunner runner;
+    std::binary_semaphore running{0};
+    std::binary_semaphore paused{0};
+    std::atomic<bool> released{false};
+    std::atomic<bool> held{false};
+    const JobId first = runner.start(
+        "Film a.mp4",
+        [&](Progress& progress) -> Result<JobResult> {
+          progress.count(1, 4);
+          running.release();
+          paused.acquire();
+          progress.wait_while_paused();
+          held = released.load();
+          if (progress.cancelled()) return fail(ErrorCode::kCancelled, "given up");
+          progress.count(4, 4);
+          return JobResult{"done", {}};
+        },
+        false, "a.mp4");
+    const JobId second = runner.start("Film b.mp4", [](Progress&) -> Result<JobResult> { return JobResult{}; });
+    running.acquire();
+    runner.pause(second, true);
+    runner.pause(first, true);
+    paused.release();
+    runner.poll();
+    CHECK(runner.paused());
+    CHECK(runner.busy());
+    CHECK(runner.jobs()[1].paused);
+    CHECK_FALSE(runner.jobs()[0].paused);
+    CHECK(runner.jobs()[1].done == 1);
+    CHECK(runner.jobs()[1].of == 4);
+    CHECK(runner.jobs()[1].film == "a.mp4");
+    released = true;
+    if (cancelled) {
+      runner.cancel(first);
+    } else {
+      runner.pause(first, false);
+    }
+    CHECK(finish_all(runner).size() == 2);
+    CHECK(held);
+    CHECK(runner.jobs()[1].state == (cancelled ? JobState::kCancelled : JobState::kDone));
+    CHECK_FALSE(runner.jobs()[1].paused);
+    CHECK(runner.jobs()[0].state == JobState::kDone);
+  }
+}
+
+TEST_CASE("how long a job still takes is told by its looks, as the clock of who polls has them") {
+  JobRunner runner;
+  std::counting_semaphore<> step{0};
+  std::counting_semaphore<> stepped{0};
+  runner.start("Film", [&](Progress& progress) -> Result<JobResult> {
+    for (int i = 1; i <= 2; ++i) {
+      step.acquire();
+      progress.count(i, 10);
+      stepped.release();
+    }
+    step.acquire();
+    return JobResult{};
+  });
+  runner.poll(0.0);
+  CHECK_FALSE(runner.jobs()[0].left_s);
+  step.release();
+  stepped.acquire();
+  runner.poll(1.0);
+  CHECK_FALSE(runner.jobs()[0].left_s);
+  step.release();
+  stepped.acquire();
+  runner.poll(3.0);
+  CHECK(runner.jobs()[0].left_s.value() == doctest::Approx(16.0));
+  step.release();
+  finish_all(runner);
+  CHECK_FALSE(runner.jobs()[0].left_s);
+}
