@@ -305,6 +305,8 @@ void TrialsPanel::draw_list(Ui& ui, const WorkbenchState& state, Requests& reque
     if (selectable_row(ui, trial->name, is_selected, value, {.help = "Show it in the view and in the timeline"})) {
       requests.emplace_back(Command{workbench::SelectDemonstration{demonstration::DemonstrationId{id.value}}});
     }
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::TextUnformatted(fmt::format("{}   {}", trial->name, value).c_str());
     ImGui::PopID();
   }
   ImGui::Dummy({0.0F, ui.px(4)});
