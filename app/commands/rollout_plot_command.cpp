@@ -119,11 +119,8 @@ Result<Answer> run_rollout_plot(const RolloutPlotArguments& arguments, Console& 
   Answer answer;
   answer.json["models"] = Json::array();
   std::string names;
-  for (const std::string& name : arguments.models) {
-    TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), name));
-    warn_if_stale(*file.project(), *entry, console);
-    if (!request.models.empty()) warn_if_unlike(*request.models.front(), *entry, console);
-    request.models.push_back(entry);
+  TROCAR_ASSIGN_OR_RETURN(request.models, find_drawn_models(*file.project(), arguments.models, console));
+  for (const auto& entry : request.models) {
     answer.json["models"].push_back(entry->id.value);
     names += (names.empty() ? "" : ", ") + entry->name;
   }
@@ -144,6 +141,18 @@ Result<Answer> run_rollout_plot(const RolloutPlotArguments& arguments, Console& 
 }
 
 }  // namespace
+
+Result<std::vector<std::shared_ptr<const workbench::ModelEntry>>> find_drawn_models(
+    const workbench::Project& project, const std::vector<std::string>& names, Console& console) {
+  std::vector<std::shared_ptr<const workbench::ModelEntry>> models;
+  for (const std::string& name : names) {
+    TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(project, name));
+    warn_if_stale(project, *entry, console);
+    if (!models.empty()) warn_if_unlike(*models.front(), *entry, console);
+    models.push_back(entry);
+  }
+  return models;
+}
 
 void add_rollout_plot_command(CLI::App& noun, Action& chosen) {
   add_verb<RolloutPlotArguments>(noun, chosen, "plot", "Draw arrivals, deviations, measures, ways or a map of rollouts",

@@ -28,14 +28,9 @@ Result<Answer> run_report(const ReportArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".html"}));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   workbench::ReportRequest request;
+  TROCAR_ASSIGN_OR_RETURN(request.models, find_drawn_models(*file.project(), arguments.models, console));
   std::string names;
-  for (const std::string& name : arguments.models) {
-    TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), name));
-    warn_if_stale(*file.project(), *entry, console);
-    if (!request.models.empty()) warn_if_unlike(*request.models.front(), *entry, console);
-    request.models.push_back(entry);
-    names += (names.empty() ? "" : " and ") + entry->name;
-  }
+  for (const auto& entry : request.models) names += (names.empty() ? "" : " and ") + entry->name;
   request.starts = arguments.starts;
   request.path = arguments.out;
   TROCAR_RETURN_IF_ERROR(workbench::write_report(request, console.progress()));

@@ -58,7 +58,8 @@ void Workbench::Impl::on(const StartTrials& command) {
   if (trials.request.plan.session.empty()) trials.request.plan.session = iso_time(options.clock->unix_s());
   hand_server.reset();
   if (command.console_port) {
-    auto server = link::HandServer::listen({"0.0.0.0", *command.console_port});
+    // Nobody is asked who they are: only this machine is heard, as on the command line. Others come through a tunnel.
+    auto server = link::HandServer::listen({"127.0.0.1", *command.console_port});
     if (!server) return log(Severity::kError, server.error().text());
     hand_server = std::move(*server);
     trials.console = ConsoleView{};

@@ -104,7 +104,10 @@ void TrialsPanel::draw_who(Ui& ui, const WorkbenchState& state) {
   if (operator_ == 2) {
     form_label(ui, "Port");
     number_field(ui, "Port", port_, 0, 65535, {.help = "Where a console may come to; 0: any that is free"});
-    wrapped_text(ui, fmt::format("trocar-console --connect HOST:{} sends a hand controller's poses and pedals", port_),
+    wrapped_text(ui,
+                 fmt::format("trocar-console --connect 127.0.0.1:{} sends a hand controller's poses and pedals; from "
+                             "elsewhere through ssh -L",
+                             port_),
                  ui.theme().text_dim);
     return;
   }
