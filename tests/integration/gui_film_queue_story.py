@@ -6,14 +6,12 @@ Usage: gui_film_queue_story.py
 import json
 import os
 import pathlib
-import shutil
 import unittest
 
 from cli_support import DONE, CommandLineTest
 from gui_films_story import TESTS, frame_hashes
 
 
-@unittest.skipUnless(shutil.which("ffmpeg"), "needs ffmpeg")
 class Queue(CommandLineTest):
     def test_queue(self):
         project = self.recorded_project()

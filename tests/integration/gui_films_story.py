@@ -4,7 +4,6 @@ Usage: gui_films_story.py
 """
 import os
 import pathlib
-import shutil
 import subprocess
 import unittest
 
@@ -21,7 +20,6 @@ def frame_hashes(film):
     return [line.split(",")[-1].strip() for line in done.stdout.splitlines() if not line.startswith("#")]
 
 
-@unittest.skipUnless(shutil.which("ffmpeg"), "needs ffmpeg")
 class Story(CommandLineTest):
     def test_story(self):
         project = self.recorded_project()

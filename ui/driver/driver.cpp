@@ -82,9 +82,21 @@ Status Driver::hover(std::string_view path) {
   return step_();
 }
 
+Result<Item> Driver::under_mouse(std::string_view path) {
+  constexpr int kMostTurns = 60;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    TROCAR_ASSIGN_OR_RETURN(const Item found, ready(path));
+    TROCAR_RETURN_IF_ERROR(move(found.press_x(), found.rect.centre_y()));
+    const Item* now = session_.items().find(path);
+    if (now != nullptr && now->press_x() == found.press_x() && now->rect.centre_y() == found.rect.centre_y()) {
+      return found;
+    }
+  }
+  return fail(ErrorCode::kCheckFailed, in_quotes(path) + " does not stay where it is");
+}
+
 Status Driver::press(std::string_view path, int which, int times) {
-  TROCAR_ASSIGN_OR_RETURN(const Item found, ready(path));
-  TROCAR_RETURN_IF_ERROR(move(found.press_x(), found.rect.centre_y()));
+  TROCAR_ASSIGN_OR_RETURN(const Item found, under_mouse(path));
   for (int i = 0; i < times; ++i) {
     TROCAR_RETURN_IF_ERROR(button(which, true));
     TROCAR_RETURN_IF_ERROR(button(which, false));
@@ -99,10 +111,9 @@ Status Driver::drag(std::string_view path, float dx, float dy, int which, int fr
 }
 
 Status Driver::hold(std::string_view path, float dx, float dy, int which, int frames_of_drag) {
-  TROCAR_ASSIGN_OR_RETURN(const Item found, ready(path));
+  TROCAR_ASSIGN_OR_RETURN(const Item found, under_mouse(path));
   const float x = found.press_x();
   const float y = found.rect.centre_y();
-  TROCAR_RETURN_IF_ERROR(move(x, y));
   TROCAR_RETURN_IF_ERROR(button(which, true));
   for (int i = 1; i <= frames_of_drag; ++i) {
     const float share = static_cast<float>(i) / static_cast<float>(frames_of_drag);

@@ -52,6 +52,8 @@ class Driver {
   Status key_event(Key key, bool down);
   Result<Item> bring_into_sight(std::string_view path);
   Result<Item> ready(std::string_view path);
+  /// With the mouse on it, when it no longer moves for what the panel learns meanwhile.
+  Result<Item> under_mouse(std::string_view path);
 
   Session& session_;
   std::function<Status()> step_;

@@ -92,11 +92,15 @@ void ExportPanel::draw_preview(Ui& ui, const WorkbenchState& state, FilmDraft& d
     small_text(ui, fmt::format("Frame {} of {}, {}", preview->frame + 1, count(preview->frames), seconds(length)),
                ui.theme().text_dim);
   }
+  // What comes and goes with the picture has its room always: nothing below moves from under the mouse.
+  const float top = ImGui::GetCursorPosY();
   if (const std::string why = film_reason(state); !why.empty()) {
     wrapped_text(ui, why, draft.film.sources.empty() ? ui.theme().text_dim : ui.theme().warning);
   } else if (shown && !preview->warning.empty()) {
     wrapped_text(ui, preview->warning, ui.theme().text_dim);
   }
+  const float room_left = ImGui::GetTextLineHeightWithSpacing() - (ImGui::GetCursorPosY() - top);
+  if (room_left > 0.0F) ImGui::Dummy({0.0F, std::max(0.0F, room_left - ImGui::GetStyle().ItemSpacing.y)});
 }
 
 void ExportPanel::draw_job(Ui& ui, const WorkbenchState& state, FilmDraft& draft, Requests& requests) {
