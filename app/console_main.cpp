@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -12,9 +13,11 @@
 #include "app/crash_report.h"
 #include "app/lookup.h"
 #include "engine/core/file.h"
+#include "engine/device/joystick.h"
 #include "engine/link/delay_relay.h"
 #include "engine/link/hand_console.h"
 #include "engine/link/hand_script.h"
+#include "engine/link/pad_hand.h"
 #include "engine/link/replayed_hand.h"
 
 namespace trocar::app {
@@ -25,6 +28,7 @@ struct ConsoleArguments {
   std::string source = "still";
   std::vector<std::string> replay;
   std::string script;
+  std::string device = "/dev/input/js0";
   double scale = 0.2;
   double rate_hz = 200.0;
   double seconds = 0.0;
@@ -36,25 +40,29 @@ struct ConsoleArguments {
 
 void bind(CLI::App& root, ConsoleArguments& arguments, Console& console) {
   root.description(
-      "Sends a hand controller's poses and pedals to `trocar trial run … --operator tcp --listen PORT`.\n"
-      "A gamepad drives the tools in the window (trocar-workbench); this program needs none.");
+      "Sends a hand controller's poses and pedals to `trocar trial run … --operator tcp --listen PORT`, or to a trial\n"
+      "in the window. A gamepad has the tools at its sticks, the jaws at A, the clutch at B, the other arm at Y, "
+      "small\n"
+      "ways at the right bumper and the agent's pedal at the left one.");
   root.add_option("--connect", arguments.connect, "HOST:PORT of the workbench")->required();
   root.add_option("--source", arguments.source,
-                  "scripted: as --script says; replay: as a demonstration went; still: a hand at rest")
-      ->check(CLI::IsMember({"scripted", "replay", "still"}))
+                  "gamepad: as a person moves its sticks; scripted: as --script says; replay: as a demonstration went; "
+                  "still: a hand at rest")
+      ->check(CLI::IsMember({"gamepad", "scripted", "replay", "still"}))
       ->capture_default_str();
   root.add_option("--script", arguments.script,
                   "Of scripted: a file with lines like \"0.5 agent down\", \"1.5 move 0.01 0 0 over 0.5\", "
                   "\"2 turn 0 0 30 over 0.5\", \"3 grip -20 over 0.3\", \"4 away\", \"5 end\" (s, m, degrees)");
   root.add_option("--replay", arguments.replay, "Of replay: PROJECT and the demonstration or trial")->expected(2);
-  root.add_option("--scale", arguments.scale, "Of replay: from hand to tool, as the trial has it")
+  root.add_option("--device", arguments.device, "Of gamepad: where it is")->capture_default_str();
+  root.add_option("--scale", arguments.scale, "Of replay and gamepad: from hand to tool, as the trial has it")
       ->check(CLI::Range(0.1, 0.5))
       ->capture_default_str();
   root.add_option("--rate", arguments.rate_hz, "Frames a second")
       ->check(CLI::Range(1.0, 2000.0))
       ->capture_default_str();
   root.add_option("--seconds", arguments.seconds,
-                  "Ends after so long; else with what it plays, a still hand after 60 s")
+                  "Ends after so long; else with what it plays, a still hand after 60 s, a gamepad with the connection")
       ->check(CLI::Range(0.001, 86400.0));
   root.add_option("--patience", arguments.patience_s, "Seconds that it tries to get a connection")
       ->check(CLI::Range(0.0, 3600.0))
@@ -75,6 +83,27 @@ struct Source {
   double end_s = 0.0;
 };
 
+/// A pad that was unplugged is one that nobody holds: the workbench then holds the arm.
+Result<Source> gamepad_of(const ConsoleArguments& arguments, Console& console) {
+  constexpr double kDay_s = 86400.0;
+  TROCAR_ASSIGN_OR_RETURN(device::Joystick opened, device::Joystick::open(arguments.device));
+  auto joystick = std::make_shared<device::Joystick>(std::move(opened));
+  auto hand = std::make_shared<link::PadHand>(arguments.scale);
+  const auto frame_at = [joystick, hand, &console, gone = false](double t_s) mutable {
+    trial::GamepadLook pad;
+    if (const auto look = gone ? Result<device::JoystickLook>(device::JoystickLook{}) : joystick->look()) {
+      pad = {look->axes, look->buttons};
+    } else {
+      gone = true;
+      console.diagnostics.warn(look.error().text());
+    }
+    link::HandFrame frame = hand->at(t_s, pad);
+    frame.present = !gone;
+    return frame;
+  };
+  return Source{frame_at, kDay_s};
+}
+
 Result<Source> source_of(const ConsoleArguments& arguments, Console& console) {
   if ((arguments.source == "scripted") == arguments.script.empty()) {
     return fail(ErrorCode::kInvalidArgument, "--source scripted and --script FILE belong together");
@@ -82,6 +111,7 @@ Result<Source> source_of(const ConsoleArguments& arguments, Console& console) {
   if ((arguments.source == "replay") == arguments.replay.empty()) {
     return fail(ErrorCode::kInvalidArgument, "--source replay and --replay PROJECT DEMO belong together");
   }
+  if (arguments.source == "gamepad") return gamepad_of(arguments, console);
   if (arguments.source == "scripted") {
     TROCAR_ASSIGN_OR_RETURN(const std::string text, read_file(arguments.script));
     auto script = link::parse_hand_script(text);
@@ -131,7 +161,7 @@ Result<Answer> run_console(const ConsoleArguments& arguments, Console& console) 
     options.to = {"127.0.0.1", relay->port()};
   }
   options.name = "trocar-console " + arguments.source;
-  options.scripted = true;
+  options.scripted = arguments.source != "gamepad";
   options.rate_hz = arguments.rate_hz;
   options.seconds = arguments.seconds > 0.0 ? arguments.seconds : source.end_s > 0.0 ? source.end_s : kStill_s;
   options.patience_s = arguments.patience_s;

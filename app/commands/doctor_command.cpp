@@ -5,6 +5,7 @@
 
 #include "app/options.h"
 #include "engine/core/file.h"
+#include "engine/device/joystick.h"
 #include "engine/device/space_mouse.h"
 #include "engine/media/video_writer.h"
 #include "engine/render/renderer.h"
@@ -50,6 +51,11 @@ Finding examine_space_mouse() {
   return {"devices", "SpaceMouse", found.has_value(), found ? "through spacenavd" : found.error().text()};
 }
 
+Finding examine_gamepad() {
+  const Result<device::Joystick> found = device::Joystick::open("/dev/input/js0");
+  return {"devices", "gamepad", found.has_value(), found ? "in the window and trocar-console" : found.error().text()};
+}
+
 Finding examine_display() {
   for (const char* variable : {"WAYLAND_DISPLAY", "DISPLAY"}) {
     const char* value = std::getenv(variable);
@@ -68,10 +74,11 @@ Result<Answer> run_doctor(const NoArguments& /*arguments*/, Console& /*console*/
   findings.push_back(examine_display());
   findings.push_back({"devices", "simulated arms", true, "both PSMs, in ODE"});
   findings.push_back({"devices", "keyboard and mouse", true, "in the window"});
-  findings.push_back({"devices", "gamepad", true, "in the window, if one is plugged in (GLFW)"});
+  findings.push_back(examine_gamepad());
   findings.push_back(examine_space_mouse());
   findings.push_back({"devices", "physical arms", false, "this version drives simulated arms only"});
-  findings.push_back({"links", "network", false, "this version has no teleoperation link"});
+  findings.push_back({"links", "tcp", true,
+                      "`trocar trial run --operator tcp`, trials in the window; trocar-console at the other end"});
 
   Answer answer;
   bool usable = true;
