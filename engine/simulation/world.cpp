@@ -94,7 +94,8 @@ World::Impl::Impl(const WorldOptions& world_options)
   }
   for (const ArmSide side : kArmSides) {
     const std::size_t arm = index_of(side);
-    const spatial::Pose X_WT = kinematics::ready_pose(side);
+    spatial::Pose X_WT = kinematics::ready_pose(side);
+    if (side == ArmSide::kLeft && options.left_begin_p_WT) X_WT.p = *options.left_begin_p_WT;
     const Result<Joints> joints = kinematics::inverse(models[arm], X_WT);
     TROCAR_CHECK(joints.has_value());
     state.arms[arm].setpoint = {X_WT, 0.0};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "engine/core/result.h"
 #include "engine/simulation/world_snapshot.h"
@@ -16,6 +17,9 @@ struct WorldOptions {
   double scene_friction = 0.4;    ///< µ elsewhere.
   double grip_torque_nm = 0.020;  ///< Limit of each jaw's servo; 20 mN·m is 2.5 N at the tip.
   int ticks_per_second = 1000;    ///< 1000 live; 500 allowed for rollouts.
+  /// Where the left tool begins, turned as in `kinematics::ready_pose`; nothing: there. Only the beginning depends on
+  /// it. Precondition: within reach.
+  std::optional<Eigen::Vector3d> left_begin_p_WT = std::nullopt;
 };
 
 /// Both arms start at `kinematics::ready_pose` with closed jaws, each block on its start peg.

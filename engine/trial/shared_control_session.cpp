@@ -16,6 +16,8 @@
 #include "engine/trial/scripted_user.h"
 #include "engine/trial/simulated_arm.h"
 #include "engine/trial/task.h"
+#include "engine/trial/trial_recorder.h"
+#include "engine/trial/trial_setup.h"
 
 namespace trocar::trial {
 namespace {
@@ -31,34 +33,6 @@ using kinematics::ArmSide;
 constexpr Tick kRecordedAfterwards{1000};
 constexpr double kMillisecond_s = 1e-3;
 
-simulation::WorldOptions world_options(const TrialOptions& options) {
-  simulation::WorldOptions world;
-  world.seed = options.seed;
-  return world;
-}
-
-demonstration::Provenance provenance_of(const TrialOptions& options, const simulation::World& world,
-                                        const TrialInputs& inputs) {
-  const bool by_skill = inputs.user == nullptr;
-  demonstration::Provenance provenance;
-  provenance.operator_kind = by_skill || inputs.scripted ? "scripted" : "person";
-  if (by_skill) provenance.skill = to_string(options.skill);
-  provenance.device = by_skill ? "scripted hand" : std::string(inputs.user->name());
-  provenance.seed = options.seed;
-  provenance.block = options.block;
-  provenance.goal = options.goal;
-  provenance.scene_hash = scene_hash(world.options());
-  provenance.software = kSoftware;
-  return provenance;
-}
-
-Assignment assignment_of(const TrialOptions& options, Skill skill) {
-  Assignment assignment{options.block, options.goal, parameters(skill), std::string(to_string(skill)), -1.0};
-  assignment.shares_control = options.mode == Mode::kShared;
-  assignment.scale = options.scale;
-  return assignment;
-}
-
 Authority authority_in(ControlState state, Segment segment) {
   switch (state) {
     case ControlState::kAgent:
@@ -71,33 +45,14 @@ Authority authority_in(ControlState state, Segment segment) {
   }
 }
 
-Status check(const TrialOptions& options) {
-  const auto refuse = [](std::string why) { return fail(ErrorCode::kInvalidArgument, std::move(why)); };
-  const auto exists = [](int index) { return index >= 0 && index < peg_board::kBlockCount; };
-  if (!exists(options.block)) return refuse("the block is a number from 0 to 5");
-  if (!exists(options.goal)) return refuse("the goal is a number from 0 to 5");
-  if (!std::isfinite(options.time_limit_s) || options.time_limit_s <= 0.0)
-    return refuse("the time limit is not positive");
-  if (!(options.scale >= control::kSmallestScale && options.scale <= control::kLargestScale)) {
-    return refuse("the scale from hand to tool is 0.1 to 0.5");
-  }
-  if (!(options.agent_rate_hz >= 1.0 && options.agent_rate_hz <= 40.0)) {
-    return refuse("the agent steps 1 to 40 times a second");
-  }
-  if (options.mode == Mode::kShared && options.agents.empty()) {
-    return refuse("shared control needs a model: train one of segment A or C");
-  }
-  return {};
-}
-
 }  // namespace
 
 struct SharedControlSession::Impl {
   Impl(TrialOptions options_in, TrialInputs inputs)
       : options(std::move(options_in)),
         world(world_options(options)),
-        provenance(provenance_of(options, world, inputs)),
-        initial_world(world.snapshot().bytes),
+        provenance(provenance_of(options, world.options(), inputs)),
+        recorder(world.snapshot().bytes),
         task(options.block, options.goal),
         arms{SimulatedArm(world, ArmSide::kLeft), SimulatedArm(world, ArmSide::kRight)},
         left(arms[0], guard_settings(), options.scale),
@@ -172,8 +127,11 @@ struct SharedControlSession::Impl {
     const bool of_agent = task.segment() == Segment::kA || task.segment() == Segment::kC;
     if (!of_agent) return fmt::format("segment {} is the operator's", demonstration::letter(task.segment()));
     if (agent == nullptr) return fmt::format("there is no model of segment {}", demonstration::letter(task.segment()));
-    return agent->cannot_begin(left.guard().setpoint().X_WT.p);
+    return agent->cannot_begin(told_left());
   }
+
+  /// Where who takes the arm now takes it: in the middle of a sample that is not where the sample was to end.
+  Eigen::Vector3d told_left() const { return arms[0].setpoint_cp().X_WT.p; }
 
   bool agent_may() {
     if (options.mode == Mode::kManual) return false;
@@ -188,7 +146,7 @@ struct SharedControlSession::Impl {
     control::ControlLook look;
     look.now = stamp();
     look.begin = !begun;
-    look.ended = task.outcome() == Outcome::kDropped || ended_by_hand;
+    look.ended = task.outcome() == Outcome::kDropped || ended_by_hand || ends_at;
     look.agent_pedal = line.sample().agent_pedal;
     look.clutch_pedal = line.sample().clutch_pedal;
     look.agent_may = agent_may();
@@ -196,7 +154,7 @@ struct SharedControlSession::Impl {
     look.stop = stopping;
     look.connected = user_link.connected || !left_moves;
     look.homed = arms[0].feedback().homed;
-    look.armed = left.guard().state() != control::GuardState::kDisarmed;
+    look.armed = !disarmed(0) && !disarmed(1);
     // What disarms an arm that was armed is a fault: it is not armed again by itself (rule 9).
     look.fault = !look.armed;
     machine.look(look);
@@ -206,6 +164,10 @@ struct SharedControlSession::Impl {
     if (machine.clutch_pedal().pressed) log(TrialEventKind::kPedal, "clutch down");
     if (machine.clutch_pedal().released) log(TrialEventKind::kPedal, "clutch up");
     if (machine.changed()) log(TrialEventKind::kState, std::string(to_string(machine.state())));
+  }
+
+  bool disarmed(std::size_t i) const {
+    return (i == 0 ? left : right).guard().state() == control::GuardState::kDisarmed;
   }
 
   bool operator_steers() const {
@@ -280,9 +242,7 @@ struct SharedControlSession::Impl {
     const double period_s = rest * kMillisecond_s;
     if (sub == 0) from = to;
     to[0] = left_setpoint(period_s);
-    if (sub == 0 || stopping) {
-      to[1] = stopping || stopped ? right.rest(period_s) : right.follow(hand_right, stamp(), period_s);
-    }
+    if (sub == 0 || halts) to[1] = ended_by_hand ? right.rest(period_s) : right.follow(hand_right, stamp(), period_s);
     span = rest;
     begun_at = sub;
     limit_hits += left.limits().any() ? 1 : 0;
@@ -295,15 +255,16 @@ struct SharedControlSession::Impl {
   /// interpolation to another end is not the same to the last bit.
   void cut() {
     from = told();
-    samples.insert(samples.end(), between_samples.begin(), between_samples.end());
-    between_samples.clear();
+    recorder.keep_between();
     left.guard().cut_short(from[0]);
-    if (stopping) right.guard().cut_short(from[1]);
+    if (halts) right.guard().cut_short(from[1]);
   }
 
   void step() {
     stopping = stop_asked.exchange(false);
-    if (fault_asked.exchange(false)) arms[0].play(control::OperatingState::kFault);
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (fault_asked[i].exchange(false)) arms[i].play(control::OperatingState::kFault);
+    }
     while (std::optional<std::string> incident = incidents.pop()) log(TrialEventKind::kIncident, std::move(*incident));
     if (sub == 0) {
       ask_inputs();
@@ -318,8 +279,8 @@ struct SharedControlSession::Impl {
     look(1, {assistant_link.connected, assistant_link.present && line.any(), assistant_link.stamp});
     left_moves = left_moves || left.guard().state() == control::GuardState::kMoving;
     look_at_authority();
-    if (stopping && !stopped) end_by_stop();
-    if (left.guard().state() == control::GuardState::kDisarmed && !stopped && !faulted) end_by_fault();
+    halts = !ended_by_hand && (stopping || disarmed(0) || disarmed(1));
+    if (halts) stopping ? end_by_stop() : end_by_fault(disarmed(0) ? 0 : 1);
     const bool cuts = machine.changed() && sub != 0;
     if (cuts) cut();
     if (machine.changed()) hand_over();
@@ -332,11 +293,10 @@ struct SharedControlSession::Impl {
     world.step();
     count_time();
     if (sub < kTicksPerSample) {
-      between_samples.push_back(sample_of(told()));
+      recorder.add_between(sample_of(told()));
       return;
     }
     sub = 0;
-    between_samples.clear();
     finish_sample();
   }
 
@@ -347,16 +307,16 @@ struct SharedControlSession::Impl {
     log(TrialEventKind::kOutcome, "stopped");
   }
 
-  void end_by_fault() {
+  void end_by_fault(std::size_t arm) {
     faulted = true;
     ended_by_hand = true;
     ends_at = Tick{now().count + kRecordedAfterwards.count};
-    log(TrialEventKind::kOutcome, "fault: " + left.guard().reason_text());
+    log(TrialEventKind::kOutcome, "fault: " + std::string(arm == 0 ? "" : "right: ") + guards(arm).reason_text());
   }
 
   // --- The record -------------------------------------------------------------------------------------------------
 
-  void log(TrialEventKind kind, std::string text) { events.push_back({now().count, kind, std::move(text)}); }
+  void log(TrialEventKind kind, std::string text) { recorder.log(now(), kind, std::move(text)); }
 
   void count_time() {
     // E begins with success, and lasts until the block is placed.
@@ -383,8 +343,8 @@ struct SharedControlSession::Impl {
                                 authority(),   task.segment()};
     return make_sample(world.state(), context);
   }
-  void record() { samples.push_back(sample_of(to)); }
-  void mark() { marks.push_back({now().count, world.state_hash()}); }
+  void record() { recorder.add(sample_of(to)); }
+  void mark() { recorder.mark(now(), world.state_hash()); }
 
   bool nothing_left() const {
     if (task.outcome() == Outcome::kDropped) return true;
@@ -405,7 +365,7 @@ struct SharedControlSession::Impl {
     if (task.outcome() != outcome_before) log(TrialEventKind::kOutcome, std::string(to_string(task.outcome())));
     for (std::size_t i = 0; i < 2; ++i) {
       for (control::GuardEvent& event : guards(i).take_events()) {
-        events.push_back({event.at.count - 1, TrialEventKind::kGuard, (i == 0 ? "left: " : "right: ") + event.text});
+        recorder.log(Tick{event.at.count - 1}, TrialEventKind::kGuard, (i == 0 ? "left: " : "right: ") + event.text);
       }
     }
     record();
@@ -432,8 +392,7 @@ struct SharedControlSession::Impl {
   TrialOptions options;
   simulation::World world;
   demonstration::Provenance provenance;
-  std::string initial_world;
-  bool initial_world_taken = false;
+  TrialRecorder recorder;
   Task task;
   std::array<SimulatedArm, 2> arms;
   GuardedArm left;
@@ -458,7 +417,8 @@ struct SharedControlSession::Impl {
   bool stopped = false;
   bool faulted = false;
   bool scripted_hands = false;  ///< What moves them is no person.
-  bool stopping = false;
+  bool stopping = false;        ///< Stop is pressed, in this tick.
+  bool halts = false;           ///< Both arms come to rest from this tick on, and it ends.
   bool ended_by_hand = false;
   bool ended = false;
   int presses = 0;
@@ -468,12 +428,8 @@ struct SharedControlSession::Impl {
   Tick segment_begins;
   std::optional<Tick> ends_at;
   TrialCounts counts;
-  std::vector<demonstration::Sample> samples;
-  std::vector<demonstration::Sample> between_samples;  ///< Of the ticks since the last one, for a cut.
-  std::vector<demonstration::HashMark> marks;
-  std::vector<TrialEvent> events;
   std::atomic<bool> stop_asked{false};
-  std::atomic<bool> fault_asked{false};
+  std::array<std::atomic<bool>, 2> fault_asked{};
   SpscQueue<std::string> incidents{64};
 };
 
@@ -498,8 +454,8 @@ void SharedControlSession::stop() {
 std::string_view SharedControlSession::assistant_kind() const {
   return impl_->scripted_hands || impl_->assistant == impl_->scripted_assistant.get() ? "scripted" : "person";
 }
-void SharedControlSession::play_fault() {
-  impl_->fault_asked.store(true);
+void SharedControlSession::play_fault(ArmSide side) {
+  impl_->fault_asked[kinematics::index_of(side)].store(true);
 }
 void SharedControlSession::mark_incident(std::string text) {
   static_cast<void>(impl_->incidents.push(std::move(text)));
@@ -526,19 +482,21 @@ bool SharedControlSession::placed() const {
   return impl_->task.placed();
 }
 std::optional<std::string> SharedControlSession::take_initial_world() {
-  if (std::exchange(impl_->initial_world_taken, true)) return std::nullopt;
-  return impl_->initial_world;
+  return impl_->recorder.take_initial_world();
 }
 std::vector<demonstration::Sample> SharedControlSession::take_samples() {
-  return std::exchange(impl_->samples, {});
+  return impl_->recorder.take_samples();
 }
 std::vector<demonstration::HashMark> SharedControlSession::take_marks() {
-  return std::exchange(impl_->marks, {});
+  return impl_->recorder.take_marks();
 }
 std::vector<TrialEvent> SharedControlSession::take_events() {
-  return std::exchange(impl_->events, {});
+  return impl_->recorder.take_events();
 }
 std::optional<double> SharedControlSession::completion_s() const {
+  return outcome() == Outcome::kSuccess ? decided_s() : std::nullopt;
+}
+std::optional<double> SharedControlSession::decided_s() const {
   const auto at = impl_->task.decided_at();
   if (!at) return std::nullopt;
   return at->seconds();

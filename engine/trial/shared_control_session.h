@@ -38,8 +38,8 @@ class SharedControlSession final : public LiveSession {
 
   /// From any other thread as well: takes effect in the next tick.
   void stop();
-  /// The left arm says FAULT from the next tick on, as a physical one might: the trial ends by a fault. Likewise.
-  void play_fault();
+  /// The arm says FAULT from the next tick on, as a physical one might: the trial ends by a fault. Likewise.
+  void play_fault(kinematics::ArmSide side = kinematics::ArmSide::kLeft);
   /// Marks an instant for review; likewise.
   void mark_incident(std::string text);
 
@@ -55,8 +55,10 @@ class SharedControlSession final : public LiveSession {
   std::vector<demonstration::HashMark> take_marks() override;
 
   std::optional<TrialStatus> trial_status() const override;
-  /// When the outcome was decided, from the beginning; nothing if it was not.
+  /// When it succeeded, from the beginning; nothing if it did not.
   std::optional<double> completion_s() const;
+  /// When the outcome was decided, whichever; nothing if it was not.
+  std::optional<double> decided_s() const;
   std::vector<TrialEvent> take_events() override;
 
  private:

@@ -48,10 +48,10 @@ double spectral_arc_length(const std::vector<double>& speed, double rate_hz) {
   return -length;
 }
 
-TrialMetrics trial_metrics(const std::vector<Sample>& samples, std::optional<double> completion_s, double agent_s) {
+TrialMetrics trial_metrics(const std::vector<Sample>& samples, std::optional<double> decided_s, double agent_s) {
   TrialMetrics metrics;
   if (samples.size() < 2) return metrics;
-  const double end_s = completion_s.value_or(samples.back().t_s());
+  const double end_s = decided_s.value_or(samples.back().t_s());
   const double begin_s = samples.front().t_s();
   double straight_m = 0.0;
   Eigen::Vector3d segment_from = tip(samples.front());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct TrialOptions {
   std::uint64_t seed = 1;        ///< The same of both modes: the same world, and the same person on the same day.
   int block = 0;                 ///< 0 … 5.
   int goal = 0;                  ///< 0 … 5.
+  /// Where the left tool begins, in W, turned as it is when it is ready; nothing: where it is ready.
+  std::optional<Eigen::Vector3d> begin_p_W;
   double time_limit_s = 120.0;
   double scale = 0.2;           ///< Of hand to tool.
   double agent_rate_hz = 20.0;  ///< Cells a second.

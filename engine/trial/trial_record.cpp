@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -161,6 +162,7 @@ std::string to_json(const TrialRecord& record) {
                  {"smoothness", record.metrics.smoothness},
                  {"agent_share", record.metrics.agent_share}};
   if (record.completion_s) object["completion_s"] = *record.completion_s;
+  if (record.begin_p_W) object["begin_m"] = {record.begin_p_W->x(), record.begin_p_W->y(), record.begin_p_W->z()};
   json models = json::array();
   for (const TrialRecord::ModelUsed& model : record.models) {
     models.push_back({{"name", model.name},
@@ -206,6 +208,13 @@ Result<TrialRecord> record_from_json(std::string_view text) {
     record.completion_s = 0.0;
     reader.read("completion_s", *record.completion_s);
   }
+  if (const json* begin = reader.list("begin_m")) {
+    const bool place = begin->size() == 3 && std::all_of(begin->begin(), begin->end(), [](const json& value) {
+                         return value.is_number() && std::isfinite(value.get<double>());
+                       });
+    if (!place) reader.spoil("begin_m");
+    if (place) record.begin_p_W = {(*begin)[0].get<double>(), (*begin)[1].get<double>(), (*begin)[2].get<double>()};
+  }
   reader.read("path_length_m", record.metrics.path_length_m);
   reader.read("economy", record.metrics.economy);
   reader.read("smoothness", record.metrics.smoothness);
@@ -224,6 +233,8 @@ Result<TrialRecord> record_from_json(std::string_view text) {
   for (const Outcome known : kOutcomes) {
     if (to_string(known) == outcome) record.outcome = known;
   }
+  // Records of version 0.1.0 before this had the time of a drop there.
+  if (record.outcome != Outcome::kSuccess) record.completion_s.reset();
   return record;
 }
 

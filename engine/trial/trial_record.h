@@ -35,6 +35,7 @@ struct TrialRecord {
   std::uint64_t seed = 0;
   int block = 0;
   int goal = 0;
+  std::optional<Eigen::Vector3d> begin_p_W;  ///< Where the left tool began, if not where it is ready.
   double scale = 0.0;
   double agent_rate_hz = 0.0;
   Anchor anchor = Anchor::kBoard;
@@ -49,7 +50,7 @@ struct TrialRecord {
   demonstration::Outcome outcome = demonstration::Outcome::kUnfinished;
   bool placed = false;
   bool interrupted = false;
-  std::optional<double> completion_s;
+  std::optional<double> completion_s;  ///< Of a success only.
   double duration_s = 0.0;
   TrialCounts counts;
   TrialMetrics metrics;
@@ -57,7 +58,7 @@ struct TrialRecord {
 };
 
 /// From the samples of a trial and when it was decided. Threads: any.
-TrialMetrics trial_metrics(const std::vector<demonstration::Sample>& samples, std::optional<double> completion_s,
+TrialMetrics trial_metrics(const std::vector<demonstration::Sample>& samples, std::optional<double> decided_s,
                            double agent_s);
 /// Spectral arc length of a speed profile sampled at `rate_hz`: amplitude threshold 0.05, cut-off at most 10 Hz, zero
 /// padding to 2⁴ times the next power of two. 0 for fewer than 8 samples or a tool at rest.

@@ -18,8 +18,9 @@ TEST_CASE("a record goes to JSON and back") {
   record.block = 4;
   record.delay = "ar1:20:5";
   record.models = {{"A exact", demonstration::Segment::kA, 0xFEDCBA9876543210ULL}};
-  record.outcome = demonstration::Outcome::kDropped;
+  record.outcome = demonstration::Outcome::kSuccess;
   record.completion_s = 12.25;
+  record.begin_p_W = Eigen::Vector3d(0.01, -0.02, 0.03);
   record.counts.clutches = 3;
   record.counts.segment_s[2] = 1.5;
   record.metrics.smoothness = -2.5;
@@ -30,11 +31,16 @@ TEST_CASE("a record goes to JSON and back") {
   CHECK(again.seed == record.seed);
   CHECK(again.models.front().hash == record.models.front().hash);
   CHECK(again.events.front().tick == 1234);
+  CHECK(again.completion_s == 12.25);
+  // What was dropped was never completed, whatever an older record says.
+  record.outcome = demonstration::Outcome::kDropped;
+  CHECK_FALSE(record_from_json(to_json(record))->completion_s);
 }
 
 TEST_CASE("a record that makes no sense is refused") {
   for (const char* text : {"", "[]", R"({"mode":"XX"})", R"({"completion_s":"soon"})", R"({"events":[[1,"pedal"]]})",
-                           R"({"events":[[1,"song","x"]]})", R"({"models":[{"hash":"xyz"}]})", R"({"seed":1.5})"}) {
+                           R"({"events":[[1,"song","x"]]})", R"({"models":[{"hash":"xyz"}]})", R"({"seed":1.5})",
+                           R"({"begin_m":[1,2]})", R"({"begin_m":[1,2,"x"]})"}) {
     CAPTURE(text);
     CHECK_FALSE(record_from_json(text));
   }
