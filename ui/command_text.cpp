@@ -287,20 +287,33 @@ std::string learning_text(const workbench::LearningSettings& settings, const Wor
   return "";
 }
 
-/// Of a person there is none: nobody sits at the command line.
+/// Of a person there is none: nobody sits at the command line. A console brings one transfer there, a whole protocol
+/// only to the window.
 std::string trials_text(const StartTrials& trials, const std::string& project) {
-  if (trials.person) return "";
+  if (trials.person || (trials.person_assists && !trials.console_port)) return "";
+  if (trials.console_port && !trials.protocol.empty()) return "";
   const TrialPlan& plan = trials.plan;
   const trial::TrialOptions& options = plan.options;
   std::string text = "trocar trial run " + project;
   if (trials.protocol.empty()) {
-    text += fmt::format(" --mode {} --transfers {}", trial::to_string(options.mode), plan.transfers);
+    text += fmt::format(" --mode {}", trial::to_string(options.mode));
+    if (!trials.console_port) text += fmt::format(" --transfers {}", plan.transfers);
     const std::string delay = control::to_string(options.delay);
     if (delay != "0") text += " --delay-ms " + delay;
   } else {
     text += fmt::format(" --protocol {} --subject-number {}", shell_word(trials.protocol), trials.subject_number);
   }
-  text += fmt::format(" --skill {} --seed {}", trial::to_string(options.skill), plan.seed);
+  if (trials.console_port) {
+    text +=
+        fmt::format(" --operator tcp --listen {}{}", *trials.console_port, trials.person_assists ? " --assist" : "");
+  } else {
+    text += fmt::format(" --skill {}", trial::to_string(options.skill));
+  }
+  text += fmt::format(" --seed {}", plan.seed);
+  if (trials.from) {
+    text += fmt::format(" --from-cell {},{},{}", trials.from->cell.x, trials.from->cell.y, trials.from->cell.z);
+    if (trials.from->grid != 22) text += fmt::format(" --grid {}", trials.from->grid);
+  }
   if (plan.same_block) text += fmt::format(" --block {}", plan.first_block);
   if (!plan.same_block && plan.first_block != 0) text += fmt::format(" --first-block {}", plan.first_block);
   if (options.anchor != trial::Anchor::kBoard) text += " --anchor target";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -77,6 +78,11 @@ std::string lower_case(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
+}
+
+std::string_view direction_words(spatial::Action action) {
+  constexpr std::array<std::string_view, spatial::kActionCount> kNames{"+x", "−x", "+y", "−y", "+z", "−z"};
+  return kNames[static_cast<std::size_t>(action)];
 }
 
 std::string shown_path(const std::filesystem::path& path) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/spatial/grid.h"
+
 namespace trocar::ui {
 
 /// "12.40 s"
@@ -24,6 +26,8 @@ std::string millimetres(double metres);
 std::string percent(std::int64_t part, std::int64_t whole);
 /// Three significant digits with a true minus sign; "–" for what is not a number.
 std::string number(double value);
+/// "+x" or "−x", with a true minus sign.
+std::string_view direction_words(spatial::Action action);
 /// The eight first digits of a hash.
 std::string short_hash(std::uint64_t hash);
 /// "2026-03-01 12:03" of an ISO 8601 time; anything else as it is.

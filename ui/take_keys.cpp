@@ -22,8 +22,8 @@ bool take_goes_on(const WorkbenchState& state) {
 }
 
 bool trial_goes_on(const WorkbenchState& state) {
-  return state.live && state.live->trial && state.trials &&
-         (state.trials->request.person || state.trials->request.person_assists);
+  if (!state.live || !state.live->trial || !state.trials || state.trials->request.console_port) return false;
+  return state.trials->request.person || state.trials->request.person_assists;
 }
 
 bool TakeKeys::claims(const Chord& chord, const WorkbenchState& state) {

@@ -27,7 +27,7 @@ class TakeKeys {
   bool pedal_ = false;  ///< Space is held, in a trial.
 };
 
-/// A person drives the left tool of a trial.
+/// A person here drives a tool of a trial.
 bool trial_goes_on(const WorkbenchState& state);
 /// A take by hand goes on: the tools can be driven.
 bool take_goes_on(const WorkbenchState& state);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/commands/rollout_commands.h"
 #include "app/commands/trial_commands.h"
 #include "app/commands/trial_live_command.h"
 #include "app/lookup.h"
 #include "app/options.h"
 #include "engine/workbench/jobs/trial_job.h"
+#include "engine/workbench/take_plan.h"
 
 namespace trocar::app {
 namespace {
@@ -24,6 +26,8 @@ struct RunTrialArguments {
   std::string delay = "0";
   std::string anchor = "board";
   int block = -1;
+  std::string from_cell;
+  int grid = 22;
   LiveTrialArguments live;
   workbench::TrialPlan plan;
 };
@@ -36,8 +40,9 @@ void bind_run(CLI::App& verb, RunTrialArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("--mode", arguments.mode, "MT: the operator does A to D; SC: the agent moves in A and C")
       ->check(CLI::IsMember({"MT", "SC"}));
-  verb.add_option("--protocol", arguments.protocol,
-                  "Whole blocks instead: sim or dvrk, the paper's two, or F.json; their order is the subject's");
+  CLI::Option* protocol =
+      verb.add_option("--protocol", arguments.protocol,
+                      "Whole blocks instead: sim or dvrk, the paper's two, or F.json; their order is the subject's");
   verb.add_option("--subject-number", arguments.subject_number, "From 0: which order of blocks; and the seed draws")
       ->check(CLI::Range(0, 9999));
   verb.add_option("--model-a", arguments.model_a,
@@ -59,12 +64,19 @@ void bind_run(CLI::App& verb, RunTrialArguments& arguments) {
   verb.add_option("--anchor", arguments.anchor, "The lattice lies on the board, or with its goal at the block")
       ->check(CLI::IsMember(kAnchors))
       ->capture_default_str();
-  verb.add_option("--transfers", plan.transfers, "So many, one after the other, with the blocks in turn")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  CLI::Option* transfers =
+      verb.add_option("--transfers", plan.transfers, "So many, one after the other, with the blocks in turn")
+          ->check(CLI::Range(1, 1000))
+          ->capture_default_str();
   verb.add_option("--block", arguments.block, "Each transfer takes this block")->check(CLI::Range(0, 5));
   verb.add_option("--first-block", plan.first_block, "The first transfer takes this one, the next ones those after it")
       ->check(CLI::Range(0, 5));
+  CLI::Option* from = verb.add_option("--from-cell", arguments.from_cell,
+                                      "I,J,K: the left tool begins in the middle of this cell, not where it is ready");
+  verb.add_option("--grid", arguments.grid, "Cells a side of the lattice that --from-cell counts in")
+      ->check(CLI::Range(1, 176))
+      ->capture_default_str()
+      ->needs(from);
   add_seed(verb, plan.seed, "Of the first transfer; the next ones count up. The same for both modes: the same scenes");
   verb.add_option("--agent-rate", plan.options.agent_rate_hz, "Cells a second")
       ->check(CLI::Range(1.0, 40.0))
@@ -72,9 +84,11 @@ void bind_run(CLI::App& verb, RunTrialArguments& arguments) {
   verb.add_option("--scale", plan.options.scale, "From hand to tool")
       ->check(CLI::Range(0.1, 0.5))
       ->capture_default_str();
-  verb.add_option("--time-limit", plan.options.time_limit_s, "Seconds for each transfer")
-      ->check(CLI::Range(1.0, 3600.0))
-      ->capture_default_str();
+  CLI::Option* limit = verb.add_option("--time-limit", plan.options.time_limit_s, "Seconds for each transfer")
+                           ->check(CLI::Range(1.0, 3600.0))
+                           ->capture_default_str();
+  // A protocol says these itself.
+  for (CLI::Option* of_one_block : {transfers, limit}) of_one_block->excludes(protocol);
   verb.add_option("--session", plan.session, "What belongs together has the same");
   verb.add_option("--subject", plan.subject, "An id, never a name");
   verb.add_option("--block-number", plan.block_number, "Of the protocol")->check(CLI::Range(0, 999));
@@ -118,6 +132,9 @@ Json json_of(const workbench::TrialEntry& trial) {
                {"session", record.session},
                {"subject", record.subject},
                {"excluded", trial.excluded}};
+  if (record.begin_p_W) {
+    json["begin_m"] = {record.begin_p_W->x(), record.begin_p_W->y(), record.begin_p_W->z()};
+  }
   return json;
 }
 
@@ -137,8 +154,13 @@ Result<std::vector<workbench::RanTrial>> run_protocol(const workbench::Project& 
   TROCAR_ASSIGN_OR_RETURN(const trial::Protocol protocol, trial::find_protocol(arguments.protocol));
   plan.options.time_limit_s = protocol.transfer_s;
   const std::vector<trial::ProtocolBlock> blocks = order_for(protocol, arguments.subject_number, plan.seed);
-  std::vector<workbench::RanTrial> all;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
+    TROCAR_ASSIGN_OR_RETURN(const workbench::TrialPlan of_block, workbench::plan_of(plan, blocks, i));
+    const int transfers = blocks[i].transfers.value_or(peg_board::kBlockCount);
+    if (Status can = workbench::check_blocks(project, of_block, transfers); !can) return tl::unexpected(can.error());
+  }
+  std::vector<workbench::RanTrial> all;
+  for (std::size_t i = 0; i < blocks.size() && !console.progress().cancelled(); ++i) {
     TROCAR_ASSIGN_OR_RETURN(const workbench::TrialPlan of_block, workbench::plan_of(plan, blocks, i));
     TROCAR_ASSIGN_OR_RETURN(std::vector<workbench::RanTrial> ran,
                             workbench::run_block(project, of_block, blocks[i], console.progress()));
@@ -153,6 +175,11 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
   workbench::TrialPlan plan = arguments.plan;
   if (arguments.mode.empty() == arguments.protocol.empty()) {
     return fail(ErrorCode::kInvalidArgument, "say --mode MT or --mode SC, or a --protocol with its blocks");
+  }
+  if (!arguments.protocol.empty() && arguments.operator_kind == "tcp") {
+    return fail(ErrorCode::kInvalidArgument,
+                "a console runs one transfer here: --mode, not --protocol; a protocol by a "
+                "console is for the window, workspace Trials");
   }
   if (!arguments.protocol.empty() && arguments.delay != "0") {
     return fail(ErrorCode::kInvalidArgument, "a protocol says the delay of each block: no --delay-ms with --protocol");
@@ -182,6 +209,10 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
       plan.models.push_back(entry->id);
     }
   }
+  if (!arguments.from_cell.empty()) {
+    TROCAR_ASSIGN_OR_RETURN(const spatial::CellCoordinates cell, coordinates_from(arguments.from_cell));
+    TROCAR_ASSIGN_OR_RETURN(plan.options.begin_p_W, workbench::place_of({cell, arguments.grid}));
+  }
   if (arguments.operator_kind == "tcp") return run_live_command(file, plan, arguments.live, console);
   if (arguments.live.given()) {
     return fail(ErrorCode::kInvalidArgument, "--listen, --wait, --assist and --realtime are for --operator tcp");
@@ -194,7 +225,6 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
     TROCAR_ASSIGN_OR_RETURN(ran, run_protocol(*file.project(), plan, arguments, console));
   }
   const double wall_s = console.clock->now_s() - begin_s;
-  TROCAR_RETURN_IF_ERROR(console.check_not_cancelled());
   Answer answer;
   answer.json["trials"] = Json::array();
   int succeeded = 0;
@@ -208,6 +238,11 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
     answer.text += row_of(*entry) + "\n";
     succeeded += each.record.outcome == demonstration::Outcome::kSuccess ? 1 : 0;
     simulated_s += each.record.duration_s;
+  }
+  if (console.progress().cancelled()) {
+    return fail(ErrorCode::kCancelled, fmt::format("stopped by the user; {} begun so far {} kept, those that were "
+                                                   "under way as aborted",
+                                                   counted(ran.size(), "transfer"), ran.size() == 1 ? "is" : "are"));
   }
   answer.json["seconds"] = wall_s;
   answer.json["simulated_s"] = simulated_s;

@@ -78,20 +78,6 @@ LiveRun run_at_1_kHz(trial::SharedControlSession& session, link::HandServer& ser
   return run;
 }
 
-/// What the session cannot know: what was at the other end, and the delay of the network.
-void complete(LiveRun& run) {
-  trial::TrialRecord& record = run.ran.record;
-  record.interrupted = run.interrupted;
-  if (run.link.scripted) {
-    record.operator_kind = run.ran.recording.provenance.operator_kind = "scripted";
-    record.assistant = "scripted";
-  }
-  if (run.link.one_clock) {
-    record.counts.delay_mean_s += run.link.delay_mean_s;
-    record.counts.delay_worst_s += run.link.delay_worst_s;
-  }
-}
-
 Json json_of_link(const link::HandServerStatus& link) {
   const auto ms = [](double seconds) { return 1e3 * seconds; };
   return {{"peer", link.peer},
@@ -165,7 +151,9 @@ Result<Answer> run_live_command(workbench::ProjectFile& file, const workbench::T
   }
   LiveRun run = run_at_1_kHz(*session, *server, console);
   run.ran.record = workbench::record_of(*session, plan, 0, run.ran.recording.samples, session->take_events());
-  complete(run);
+  run.ran.record.interrupted = run.interrupted;
+  workbench::add_link(run.link, run.ran.record);
+  run.ran.recording.provenance.operator_kind = run.ran.record.operator_kind;
 
   TROCAR_ASSIGN_OR_RETURN(const demonstration::RecordingId recording, file.store_recording(run.ran.recording));
   const std::string name = workbench::trial_name(*file.project(), plan.options.mode);

@@ -277,6 +277,11 @@ struct StartTrials {
   /// with `person_assists` its right hand for the right one.
   std::optional<std::uint16_t> console_port;
   bool realtime = true;
+  std::optional<FromCell> from;  ///< The left tool begins there; of segment A.
+};
+/// What the next trials are to begin with: a start of a rollout, or nothing special.
+struct SetTrialStart {
+  std::optional<FromCell> from;
 };
 /// The next block of those that were prepared.
 struct StartBlock {};
@@ -394,14 +399,16 @@ struct Report {
   std::string sentence;
 };
 
-using Command = std::variant<
-    OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo, SelectDemonstration,
-    SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch, NameCheckpoint, SketchHistory,
-    SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping, SetLoop, SetCamera, SetCameraPreset, SetViewSize,
-    SetBackdrop, ShowFilmstrip, SetField, SetFieldLayers, SetRollouts, SetLearning, RunMonteCarlo, RunPhysics,
-    ExportRollouts, ExportPlot, RecordScripted, StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake,
-    TrainModel, VerifyReplay, SimulateDemonstration, FixProblems, ExportVideo, ExportField, ImportTable, ReadImport,
-    EndImport, MakeImport, ExportDemonstrations, CancelJob, Report, StartTrials, StartBlock, PauseTrials, StopTrial,
-    EndTrials, MarkIncident, ExportTrials, SetFilm, PreviewFilm, RenderFilm, OpenFilmJob, SaveFilmJob, PauseJob>;
+using Command =
+    std::variant<OpenProject, CommitEdit, Undo, Redo, GoToHistory, PreviewEdit, EndPreview, SetGizmo,
+                 SelectDemonstration, SelectModel, ShowCurves, CompareWith, EndComparison, ShowLibrary, PlanBatch,
+                 NameCheckpoint, SketchHistory, SetPlayhead, Play, SetSelection, ShowEdges, CopyRun, SetSnapping,
+                 SetLoop, SetCamera, SetCameraPreset, SetViewSize, SetBackdrop, ShowFilmstrip, SetField, SetFieldLayers,
+                 SetRollouts, SetLearning, RunMonteCarlo, RunPhysics, ExportRollouts, ExportPlot, RecordScripted,
+                 StopRecording, RecordByHand, FindDevices, HandInput, JudgeTake, TrainModel, VerifyReplay,
+                 SimulateDemonstration, FixProblems, ExportVideo, ExportField, ImportTable, ReadImport, EndImport,
+                 MakeImport, ExportDemonstrations, CancelJob, Report, StartTrials, SetTrialStart, StartBlock,
+                 PauseTrials, StopTrial, EndTrials, MarkIncident, ExportTrials, SetFilm, PreviewFilm, RenderFilm,
+                 OpenFilmJob, SaveFilmJob, PauseJob>;
 
 }  // namespace trocar::workbench

@@ -58,15 +58,24 @@ int actions_apart(const learning::Model& a, const learning::Model& b) {
   return apart;
 }
 
-/// Of all starts, or, to be `brief`, of those that are listed.
+/// Of all starts, or, to be `brief`, of those that are listed; null when it is no longer wanted.
 std::shared_ptr<const learning::RolloutSpread> spread_of(const learning::Model& model,
                                                          const std::vector<std::uint8_t>& policy, const Cells& starts,
                                                          const std::vector<learning::Rollout>& listed, bool brief,
-                                                         const std::vector<double>& clearance_m) {
+                                                         const std::vector<double>& clearance_m,
+                                                         const std::shared_ptr<Progress>& wanted) {
+  if (brief) {
+    return std::make_shared<const learning::RolloutSpread>(learning::spread_of_rollouts(model, listed, clearance_m));
+  }
   Progress never_cancelled;
-  return std::make_shared<const learning::RolloutSpread>(
-      brief ? learning::spread_of_rollouts(model, listed, clearance_m)
-            : learning::spread_from(model, policy, starts, clearance_m, never_cancelled).value());
+  auto spread = learning::spread_from(model, policy, starts, clearance_m, wanted ? *wanted : never_cancelled);
+  return spread ? std::make_shared<const learning::RolloutSpread>(std::move(*spread)) : nullptr;
+}
+
+/// What is shown of one that was given up.
+std::shared_ptr<const learning::RolloutSpread> or_none(std::shared_ptr<const learning::RolloutSpread> spread) {
+  static const auto kNone = std::make_shared<const learning::RolloutSpread>();
+  return spread ? std::move(spread) : kNone;
 }
 
 std::shared_ptr<const ModelEntry> with_model(const ModelEntry& entry, learning::Model model) {
@@ -155,18 +164,18 @@ void InsightMaker::add_second(const InsightRequest& request, ModelInsight& insig
   second.paired = learning::compare(second.comparison->basin_a, second.comparison->basin_b, insight.starts);
   second.ends = learning::outcome_table(second.comparison->basin_a, second.comparison->basin_b, insight.starts);
   if (!second_listed_.rollouts || second_listed_.of != request.second || second_listed_.starts != insight.starts ||
-      second_listed_.brief != listed_.brief) {
+      second_listed_.brief != listed_.brief || !second_listed_.spread) {
     second_listed_.of = request.second;
     second_listed_.starts = insight.starts;
     second_listed_.brief = listed_.brief;
     const int count = static_cast<int>(insight.listed->size());
     second_listed_.rollouts = std::make_shared<const std::vector<learning::Rollout>>(
         sample_rollouts(b, *second.policy, insight.starts, count));
-    second_listed_.spread =
-        spread_of(b, *second.policy, insight.starts, *second_listed_.rollouts, listed_.brief, *insight.clearance_m);
+    second_listed_.spread = spread_of(b, *second.policy, insight.starts, *second_listed_.rollouts, listed_.brief,
+                                      *insight.clearance_m, request.wanted);
   }
   second.listed = second_listed_.rollouts;
-  second.spread = second_listed_.spread;
+  second.spread = or_none(second_listed_.spread);
   if (insight.selected) {
     second.selected = learning::rollout(b, *second.policy, insight.selected->start);
     second.parts_at = learning::first_divergence(insight.selected->cells, second.selected->cells);
@@ -181,17 +190,19 @@ void InsightMaker::add_rollouts(const InsightRequest& request, ModelInsight& ins
   const learning::Model& model = *insight.entry->model;
   // What follows an edit has to keep up with the mouse.
   const bool brief = insight.following.has_value();
-  if (!listed_.rollouts || listed_.of != insight.entry || listed_.starts != insight.starts || listed_.brief != brief) {
+  if (!listed_.rollouts || listed_.of != insight.entry || listed_.starts != insight.starts || listed_.brief != brief ||
+      !listed_.spread) {
     listed_.of = insight.entry;
     listed_.starts = insight.starts;
     listed_.brief = brief;
     listed_.rollouts = std::make_shared<const std::vector<learning::Rollout>>(
         brief ? insight.ghosts : sample_rollouts(model, *insight.policy, insight.starts, kMostListed));
     listed_.clearance_m = std::make_shared<const std::vector<double>>(peg_board::clearances_m(model.grid));
-    listed_.spread = spread_of(model, *insight.policy, insight.starts, *listed_.rollouts, brief, *listed_.clearance_m);
+    listed_.spread = spread_of(model, *insight.policy, insight.starts, *listed_.rollouts, brief, *listed_.clearance_m,
+                               request.wanted);
   }
   insight.listed = listed_.rollouts;
-  insight.spread = listed_.spread;
+  insight.spread = or_none(listed_.spread);
   insight.clearance_m = listed_.clearance_m;
   const auto& selected = request.rollouts.selected;
   if (!selected || selected->value < 0 || selected->value >= model.grid.cell_count()) return;

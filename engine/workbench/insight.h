@@ -97,6 +97,8 @@ struct InsightRequest {
   std::shared_ptr<const ModelEntry> second;  ///< Null: none.
   /// What `entry` would be trained on now, if it is to follow; null where one of its demonstrations is gone.
   std::vector<std::shared_ptr<const demonstration::Demonstration>> experts;
+  /// Cancelled when another request has come: what all starts come to together is then left out. Null: never.
+  std::shared_ptr<Progress> wanted;
 };
 
 /// Keeps what depends on the model alone, so that a change of layer or of starts costs little; and the last model that

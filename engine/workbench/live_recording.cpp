@@ -36,16 +36,21 @@ Result<std::unique_ptr<LiveRecording>> LiveRecording::start(ProjectFile& file, c
 Result<std::unique_ptr<LiveRecording>> LiveRecording::start(ProjectFile& file, const TrialStart& request) {
   TROCAR_ASSIGN_OR_RETURN(trial::TrialOptions options, options_of(*file.project(), request.plan, request.transfer));
   Trial trial{request, nullptr, nullptr, nullptr, {}, {}};
-  trial::TrialInputs inputs{request.user, request.assistant, request.scripted};
+  trial::TrialInputs inputs;
+  if (request.console != nullptr) {
+    inputs.user = request.console;
+    inputs.assistant = request.person_assists ? &request.console->assistant() : nullptr;
+    inputs.scripted = request.console->status().scripted;
+  }
   const auto person_at = [](kinematics::ArmSide side, double scale) {
     const control::ToolCommand ready{kinematics::ready_pose(side), 0.0};
     return std::make_unique<trial::EventOperator>(side, ready, scale);
   };
-  if (request.person) {
+  if (request.person && request.console == nullptr) {
     trial.person = person_at(kinematics::ArmSide::kLeft, options.scale);
     inputs.user = trial.person.get();
   }
-  if (request.person_assists) {
+  if (request.person_assists && request.console == nullptr) {
     trial.assistant = person_at(kinematics::ArmSide::kRight, trial::kAssistantScale);
     inputs.assistant = trial.assistant.get();
   }
@@ -132,6 +137,7 @@ std::optional<LiveRecording::End> LiveRecording::poll() {
 LiveRecording::End LiveRecording::conclude_trial() {
   trial::TrialRecord record =
       record_of(*trial_->session, trial_->request.plan, trial_->request.transfer, trial_->samples, trial_->events);
+  if (trial_->request.console != nullptr) add_link(trial_->request.console->status(), record);
   // Ended by the runner, in the middle of it.
   record.interrupted = !trial_->session->done();
   if (record.interrupted && record.outcome == demonstration::Outcome::kUnfinished) {

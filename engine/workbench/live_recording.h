@@ -22,11 +22,11 @@ namespace trocar::workbench {
 struct TrialStart {
   TrialPlan plan;
   int transfer = 0;
-  bool person = false;                   ///< At keyboard, mouse and sticks; else the plan's scripted operator.
-  bool person_assists = false;           ///< A second one has the right arm; else the scripted expert.
-  trial::OperatorInput* user = nullptr;  ///< Instead of `person`: who comes from elsewhere; must outlive the trial.
-  trial::OperatorInput* assistant = nullptr;  ///< Likewise.
-  bool scripted = false;                      ///< These say of themselves that no person moves them.
+  bool person = false;          ///< At keyboard, mouse and sticks; else the plan's scripted operator.
+  bool person_assists = false;  ///< A second one has the right arm; else the scripted expert.
+  /// Who comes from elsewhere, instead of persons here: its left hand is the operator's, with `person_assists` its
+  /// right one the assistant's. Must outlive the trial.
+  link::HandServer* console = nullptr;
   bool realtime = true;
 };
 

@@ -34,10 +34,14 @@ void LiveRunner::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const bool stopping = stopping_.load(std::memory_order_relaxed);
     for (int step = 0; step < steps_per_batch && !stopping && !session_->done(); ++step) {
+      if (realtime_) {
+        // Each tick in its own time: what a person does, a pedal let go say, is heard by the next one.
+        const double tick_due_s = due_s + step * kTick_s;
+        const double ahead_s = tick_due_s - wall_now_s();
+        if (ahead_s > 0.0) std::this_thread::sleep_for(duration<double>(ahead_s));
+        lateness_.add(static_cast<std::int64_t>(1e9 * (wall_now_s() - tick_due_s)));
+      }
       session_->step();
-      // Each tick in its own time: what a person does, a pedal let go say, is heard by the next one.
-      const double ahead_s = due_s + (step + 1) * kTick_s - wall_now_s();
-      if (realtime_ && ahead_s > 0.0) std::this_thread::sleep_for(duration<double>(ahead_s));
     }
     LiveBatch batch{take_part(*session_), stopping || session_->done(), session_->outcome(), session_->placed()};
     if (stopping && !session_->done()) batch.outcome = demonstration::Outcome::kAborted;
@@ -45,7 +49,10 @@ void LiveRunner::run(const std::stop_token& stop) {
     show(wall_now_s());
 
     const bool last = batch.last;
-    if (!hand_over(std::move(batch), stop) || last) return;
+    waiting_.push_back(std::move(batch));
+    // What goes in real time never waits for the main thread, nor may anything be lost because that is behind.
+    hand_over(stop, last || !realtime_);
+    if (last) return;
     due_s = std::max(due_s + steps_per_batch * kTick_s, wall_now_s() - kMostBehind_s);
   }
 }
@@ -81,16 +88,20 @@ void LiveRunner::show(double wall_s) {
                    wall_s > 0.0 ? simulated_s / wall_s : 0.0,
                    rate_hz_,
                    session_->status(),
-                   session_->trial_status()};
+                   session_->trial_status(),
+                   lateness_};
   views_.publish();
 }
 
-bool LiveRunner::hand_over(LiveBatch batch, const std::stop_token& stop) {
-  while (!batches_.push(std::move(batch))) {  // NOLINT(bugprone-use-after-move): moved only where there is room
-    if (stop.stop_requested()) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the main thread is behind; nothing may be lost
+void LiveRunner::hand_over(const std::stop_token& stop, bool all) {
+  while (!waiting_.empty()) {
+    if (batches_.push(std::move(waiting_.front()))) {  // moved only where there is room
+      waiting_.pop_front();
+      continue;
+    }
+    if (!all || stop.stop_requested()) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the main thread is behind
   }
-  return true;
 }
 
 }  // namespace trocar::workbench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -10,6 +11,7 @@
 #include "engine/core/spsc_queue.h"
 #include "engine/core/triple_buffer.h"
 #include "engine/demonstration/recording.h"
+#include "engine/link/tick_pacer.h"
 #include "engine/simulation/world_state.h"
 #include "engine/trial/live_session.h"
 #include "engine/workbench/take_writer.h"
@@ -27,6 +29,7 @@ struct LiveView {
   double rate_hz = 0.0;          ///< Samples for each second of wall time, lately; 0 until known.
   trial::SessionStatus status;
   std::optional<trial::TrialStatus> trial;
+  link::LatenessHistogram lateness;  ///< Of the ticks so far; none if it goes as fast as it can.
 };
 
 /// What the thread recorded since the last batch, and how it ended if it has.
@@ -59,7 +62,8 @@ class LiveRunner {
   void show(double wall_s);
   void count(const TakePart& part);
   void measure_rate(double wall_s);
-  bool hand_over(LiveBatch batch, const std::stop_token& stop);
+  /// Puts what waits into the queue, as far as there is room; `all`: waits for it.
+  void hand_over(const std::stop_token& stop, bool all);
 
   std::unique_ptr<trial::LiveSession> session_;
   bool realtime_;
@@ -70,6 +74,8 @@ class LiveRunner {
   double rate_from_s_ = 0.0;  ///< Wall time; likewise the samples then.
   std::int64_t rate_from_samples_ = 0;
   std::atomic<bool> stopping_{false};
+  link::LatenessHistogram lateness_;
+  std::deque<LiveBatch> waiting_;
   SpscQueue<LiveBatch> batches_{256};
   TripleBuffer<LiveView> views_;
   std::jthread thread_;

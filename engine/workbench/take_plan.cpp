@@ -50,7 +50,8 @@ Result<demonstration::Arms> recorded_arms(const std::array<trial::ArmSource, 2>&
   return fail(ErrorCode::kInvalidArgument, "both arms replay what is there: nothing would be replaced");
 }
 
-/// Where the left tool is led to. The arm must reach it as it is turned at first.
+}  // namespace
+
 Result<Eigen::Vector3d> place_of(const FromCell& from) {
   if (from.grid < 1 || from.grid > 176) {
     return fail(ErrorCode::kInvalidArgument, fmt::format("a lattice has 1 to 176 cells a side, not {}", from.grid));
@@ -67,8 +68,6 @@ Result<Eigen::Vector3d> place_of(const FromCell& from) {
   if (joints) return X_WT.p;
   return tl::unexpected<Error>(Error(joints.error()).in(fmt::format("begin in cell {}, {}, {}", c.x, c.y, c.z)));
 }
-
-}  // namespace
 
 RecordByHand another_take(RecordByHand request) {
   const auto& sources = request.options.sources;

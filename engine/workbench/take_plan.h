@@ -22,6 +22,10 @@ struct TakePlan {
 /// that both arms only replay.
 Result<TakePlan> plan_take(const Project& project, const RecordByHand& request);
 
+/// The middle of the cell, in W. Errors: kInvalidArgument for a lattice or cell that there is not; kOutOfReach if the
+/// left tool, turned as when it is ready, cannot be there.
+Result<Eigen::Vector3d> place_of(const FromCell& from);
+
 /// To be driven in the same way once more: without a name, and in place of nothing.
 RecordByHand another_take(RecordByHand request);
 

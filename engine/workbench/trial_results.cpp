@@ -1,5 +1,7 @@
 #include "engine/workbench/trial_results.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,18 +22,13 @@ std::string operator_of(const TrialRecord& record) {
   return record.skill.empty() ? record.operator_kind : record.operator_kind + " " + record.skill;
 }
 
-/// It tells nothing of the mode.
-bool stopped(const TrialRecord& record) {
-  return record.interrupted || record.outcome == Outcome::kAborted || record.outcome == Outcome::kFault;
-}
-
 ModeResults of_mode(const Trials& trials, trial::Mode mode) {
   ModeResults results;
   int counted = 0;
   for (const auto& each : trials) {
     const TrialRecord& record = each->record;
     if (record.mode != mode) continue;
-    if (stopped(record)) {
+    if (was_stopped(record)) {
       ++results.stopped;
       continue;
     }
@@ -84,7 +81,7 @@ PairedResults paired(const Trials& trials) {
     const Key key{record.subject, operator_of(record), record.seed, record.block,
                   record.goal,    record.delay,        record.scale};
     // What was stopped tells nothing of the mode. Run again, the last one counts.
-    if (stopped(record)) continue;
+    if (was_stopped(record)) continue;
     pairs[key][record.mode == trial::Mode::kManual ? 0 : 1] = &record;
   }
   PairedResults results;
@@ -104,7 +101,9 @@ PairedResults paired(const Trials& trials) {
 }
 
 std::string participant_of(const TrialRecord& record) {
-  return record.subject.empty() ? operator_of(record) : record.subject;
+  if (record.subject.empty()) return operator_of(record);
+  return record.operator_kind == "scripted" ? fmt::format("{} ({})", record.subject, operator_of(record))
+                                            : record.subject;
 }
 
 std::vector<Participant> participants_of(const Trials& trials) {
@@ -112,7 +111,9 @@ std::vector<Participant> participants_of(const Trials& trials) {
   for (const auto& each : trials) by_name[participant_of(each->record)].push_back(each);
   std::vector<Participant> participants;
   for (const auto& [name, own] : by_name) {
-    participants.push_back({name, {of_mode(own, trial::Mode::kManual), of_mode(own, trial::Mode::kShared)}});
+    participants.push_back({name,
+                            own.front()->record.operator_kind,
+                            {of_mode(own, trial::Mode::kManual), of_mode(own, trial::Mode::kShared)}});
   }
   return participants;
 }
@@ -129,6 +130,10 @@ PairedResults one_value_each(const std::vector<Participant>& participants) {
 }
 
 }  // namespace
+
+bool was_stopped(const TrialRecord& record) {
+  return record.interrupted || record.outcome == Outcome::kAborted || record.outcome == Outcome::kFault;
+}
 
 Trials counted_trials(const Project& project, const std::string& session) {
   Trials trials;

@@ -25,9 +25,12 @@ Trials counted_trials(const Project& project, const std::string& session);
 std::string trials_csv(const Project& project, const std::string& session);
 std::string segments_csv(const Project& project, const std::string& session);
 
+/// Aborted, interrupted or ended by a fault: it tells nothing of the mode.
+bool was_stopped(const trial::TrialRecord& record);
+
 struct ModeResults {
   int trials = 0;   ///< That were not stopped.
-  int stopped = 0;  ///< Aborted, interrupted or ended by a fault: they tell nothing of the mode.
+  int stopped = 0;  ///< `was_stopped`.
   int succeeded = 0;
   int dropped = 0;
   int placed = 0;
@@ -64,7 +67,8 @@ struct PairedResults {
 
 /// One person, or one script, by both modes.
 struct Participant {
-  std::string name;  ///< The subject's id; of a script what it is.
+  std::string name;           ///< The subject's id, of a script with what it is.
+  std::string operator_kind;  ///< "scripted" or "person"; one of each with the same id are two.
   std::array<ModeResults, 2> modes;
 };
 

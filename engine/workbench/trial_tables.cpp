@@ -22,12 +22,13 @@ std::string field(const std::string& text) {
 
 std::string who(const TrialEntry& trial) {
   const TrialRecord& record = trial.record;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", trial.id.value, field(trial.name), field(record.session),
-                     field(record.subject), record.operator_kind, field(record.skill), to_string(record.mode),
-                     record.block_number, record.transfer, record.seed, record.block, record.goal);
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}", trial.id.value, field(trial.name), field(record.session),
+                     field(record.subject), record.operator_kind, field(record.skill), record.assistant,
+                     to_string(record.mode), record.block_number, record.transfer, record.seed, record.block,
+                     record.goal);
 }
 constexpr std::string_view kWho =
-    "trial,name,session,subject,operator,skill,mode,block_number,transfer,seed,block,goal";
+    "trial,name,session,subject,operator,skill,assistant,mode,block_number,transfer,seed,block,goal";
 
 std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
@@ -61,7 +62,7 @@ std::string trials_csv(const Project& project, const std::string& session) {
       ",outcome,placed,interrupted,in_results,completion_s,duration_s,attempts,misses,clutches,clutch_s,hand_overs,"
       "agent_s,"
       "agent_share,agent_steps,path_length_m,economy,smoothness,limit_hits,unreachable,delay,delay_mean_s,"
-      "delay_worst_s,anchor,scale,agent_rate_hz,models,excluded,reason\n";
+      "delay_worst_s,anchor,scale,agent_rate_hz,begin_x_m,begin_y_m,begin_z_m,models,excluded,reason\n";
   for (const auto& [id, trial] : project.trials) {
     const TrialRecord& r = trial->record;
     if (!session.empty() && r.session != session) continue;
@@ -70,16 +71,20 @@ std::string trials_csv(const Project& project, const std::string& session) {
       models += fmt::format("{}{}:{}:{:016x}", models.empty() ? "" : " ", demonstration::letter(model.segment),
                             model.name, model.hash);
     }
+    std::string begin = ",,";
+    if (r.begin_p_W) {
+      begin = fmt::format("{},{},{}", number(r.begin_p_W->x()), number(r.begin_p_W->y()), number(r.begin_p_W->z()));
+    }
     csv += who(*trial);
-    csv += fmt::format(",{},{:d},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{}\n",
-                       to_string(r.outcome), r.placed, r.interrupted, r.in_results,
-                       r.completion_s ? number(*r.completion_s) : "", number(r.duration_s), r.counts.attempts,
-                       r.counts.misses, r.counts.clutches, number(r.counts.clutch_s), r.counts.hand_overs,
-                       number(r.counts.agent_s), number(r.metrics.agent_share), r.counts.agent_steps,
-                       number(r.metrics.path_length_m), number(r.metrics.economy), number(r.metrics.smoothness),
-                       r.counts.limit_hits, r.counts.unreachable, field(r.delay), number(r.counts.delay_mean_s),
-                       number(r.counts.delay_worst_s), to_string(r.anchor), number(r.scale), number(r.agent_rate_hz),
-                       field(models), trial->excluded, field(trial->reason));
+    csv += fmt::format(
+        ",{},{:d},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{}\n",
+        to_string(r.outcome), r.placed, r.interrupted, r.in_results, r.completion_s ? number(*r.completion_s) : "",
+        number(r.duration_s), r.counts.attempts, r.counts.misses, r.counts.clutches, number(r.counts.clutch_s),
+        r.counts.hand_overs, number(r.counts.agent_s), number(r.metrics.agent_share), r.counts.agent_steps,
+        number(r.metrics.path_length_m), number(r.metrics.economy), number(r.metrics.smoothness), r.counts.limit_hits,
+        r.counts.unreachable, field(r.delay), number(r.counts.delay_mean_s), number(r.counts.delay_worst_s),
+        to_string(r.anchor), number(r.scale), number(r.agent_rate_hz), begin, field(models), trial->excluded,
+        field(trial->reason));
   }
   return csv;
 }
@@ -101,14 +106,15 @@ std::string segments_csv(const Project& project, const std::string& session) {
 
 std::string participants_csv(const TrialResults& results) {
   std::string csv =
-      "participant,mode,trials,stopped,succeeded,dropped,completion_mean_s,completion_sd_s,completion_median_s\n";
+      "participant,operator,mode,trials,stopped,succeeded,dropped,completion_mean_s,completion_sd_s,completion_median_"
+      "s\n";
   constexpr std::array<trial::Mode, 2> kModes{trial::Mode::kManual, trial::Mode::kShared};
   for (const Participant& each : results.participants) {
     for (std::size_t i = 0; i < kModes.size(); ++i) {
       const ModeResults& m = each.modes[i];
       const bool any = m.succeeded > 0;
-      csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", field(each.name), to_string(kModes[i]), m.trials, m.stopped,
-                         m.succeeded, m.dropped, any ? number(m.mean_s) : "",
+      csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", field(each.name), each.operator_kind, to_string(kModes[i]),
+                         m.trials, m.stopped, m.succeeded, m.dropped, any ? number(m.mean_s) : "",
                          m.succeeded > 1 ? number(m.deviation_s) : "", any ? number(m.median_s) : "");
     }
   }

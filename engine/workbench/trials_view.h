@@ -46,7 +46,8 @@ struct TrialsView {
   int drops = 0;
   double block_s = 0.0;  ///< Time of transfers in this block, simulated.
   double rest_s = 0.0;   ///< After the block that was last.
-  bool paused = false;   ///< No further transfer begins by itself.
+  double rest_left_s = 0.0;
+  bool paused = false;  ///< No further transfer begins by itself.
   std::optional<ConsoleView> console;
 };
 

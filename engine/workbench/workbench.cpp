@@ -157,6 +157,8 @@ void Workbench::Impl::request_insight() {
       request.experts.push_back(id == state.demonstration ? shown() : demonstration(id));
     }
   }
+  if (insight_wanted) insight_wanted->cancel();
+  insight_wanted = request.wanted = std::make_shared<Progress>();
   insight.request(std::move(request));
 }
 
@@ -223,6 +225,7 @@ bool Workbench::Impl::poll() {
   advance_playhead(elapsed_s);
   poll_recording();
   poll_console();
+  poll_rest();
   poll_jobs();
   retry_writes();
   poll_import();

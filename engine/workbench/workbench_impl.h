@@ -85,6 +85,7 @@ struct Workbench::Impl {
   void on(const MakeImport& command);
   void on(const ExportDemonstrations& command);
   void on(const StartTrials& command);
+  void on(const SetTrialStart& command);
   void on(const StartBlock& command);
   void on(const PauseTrials& command);
   void on(const StopTrial& command);
@@ -160,6 +161,7 @@ struct Workbench::Impl {
   std::string no_room() const;
   void begin_transfer();
   /// What is told of the console, and the transfer that waits for it.
+  void poll_rest();
   void poll_console();
   void conclude_transfer(const LiveRecording::End& end);
   /// A take can begin: a project is open, none goes on, and nothing is on its way into the document; else it is said.
@@ -178,6 +180,8 @@ struct Workbench::Impl {
   Options options;
   WorkbenchState state;
   std::shared_ptr<ProjectFile> file;              ///< Shared with jobs that will commit to it.
+  double rest_begins_s = 0.0;                     ///< After a block, by the options' clock.
+  double console_heard_s = 0.0;                   ///< When the console was, by the options' clock.
   std::unique_ptr<link::HandServer> hand_server;  ///< Of trials by a console; outlives `recording`.
   std::unique_ptr<LiveRecording> recording;
   std::optional<device::SpaceMouse> space_mouse;
@@ -190,6 +194,7 @@ struct Workbench::Impl {
   std::unique_ptr<FilmPreviewWorker> film_preview;  ///< Begins with the first film that is looked at.
   /// What review, its preview, curves and library work out once for all of them.
   std::shared_ptr<review::ClearanceStore> distances = std::make_shared<review::ClearanceStore>();
+  std::shared_ptr<Progress> insight_wanted;  ///< Of the newest request.
   LatestWorker<InsightRequest, std::shared_ptr<const ModelInsight>> insight;
   LatestWorker<SeedRequest, std::shared_ptr<const SeedInsight>> seeds;
   SeedRequest seeds_wanted;

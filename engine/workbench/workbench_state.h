@@ -117,6 +117,7 @@ struct WorkbenchState {
   std::shared_ptr<const PhysicsView> physics;
   std::optional<LiveView> live;
   std::optional<TrialsView> trials;             ///< From `StartTrials` to `EndTrials`.
+  std::optional<FromCell> trial_start;          ///< As `SetTrialStart` said.
   std::optional<TakeView> take;                 ///< With `live`, if a person drives.
   std::shared_ptr<const LiveTrace> live_trace;  ///< With `live`: what was recorded so far, for the lanes.
   std::int64_t disk_free_bytes = -1;            ///< With `live`: where the project is; −1: unknown.

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "engine/core/ending.h"
 #include "engine/core/file.h"
+#include "engine/workbench/take_plan.h"
 #include "engine/workbench/trial_results.h"
 #include "engine/workbench/workbench_impl.h"
 
@@ -28,6 +30,14 @@ void Workbench::Impl::on(const StartTrials& command) {
     log(Severity::kWarning, state.space_mouse_missing);
   }
   space_mouse_hand = {};
+  if (command.from) {
+    if (command.from->segment != demonstration::Segment::kA) {
+      return log(Severity::kError, "A trial begins with segment A: a start of a model of C cannot be one");
+    }
+    const auto place = place_of(*command.from);
+    if (!place) return log(Severity::kError, place.error().text());
+    trials.request.plan.options.begin_p_W = *place;
+  }
   if (command.protocol.empty()) {
     trial::ProtocolBlock block;
     block.name = command.plan.options.mode == trial::Mode::kShared ? "Shared control" : "Manual";
@@ -46,10 +56,9 @@ void Workbench::Impl::on(const StartTrials& command) {
   for (std::size_t i = 0; i < trials.blocks.size(); ++i) {
     TrialPlan plan = trials.request.plan;
     plan.options.mode = trials.blocks[i].mode;
-    const auto agents = agents_for(*state.project, plan, plan.first_block);
-    if (!agents) return log(Severity::kError, agents.error().text());
-    if (plan.options.mode == trial::Mode::kShared && agents->empty()) {
-      return log(Severity::kError, "Shared control needs a model: train one of segment A or C");
+    const int transfers = trials.blocks[i].transfers.value_or(peg_board::kBlockCount);
+    if (const Status can = check_blocks(*state.project, plan, transfers); !can) {
+      return log(Severity::kError, can.error().text());
     }
     if (const auto delay = control::delay_from(trials.blocks[i].delay); !delay) {
       return log(Severity::kError, delay.error().text());
@@ -70,6 +79,11 @@ void Workbench::Impl::on(const StartTrials& command) {
   state.play_speed = 0.0;
   dirty = true;
   on(StartBlock{});
+}
+
+void Workbench::Impl::on(const SetTrialStart& command) {
+  state.trial_start = command.from;
+  dirty = true;
 }
 
 /// A session that ends because the disk is full is a day lost.
@@ -112,12 +126,7 @@ void Workbench::Impl::begin_transfer() {
   start.transfer = trials.transfer;
   start.person = trials.request.person;
   start.person_assists = trials.request.person_assists;
-  if (hand_server) {
-    start.user = hand_server.get();
-    start.scripted = hand_server->status().scripted;
-    start.assistant = start.person_assists ? &hand_server->assistant() : nullptr;
-    start.person = start.person_assists = false;
-  }
+  start.console = hand_server.get();
   start.realtime = trials.request.realtime;
   auto started = LiveRecording::start(*file, start);
   if (!started) {
@@ -129,6 +138,15 @@ void Workbench::Impl::begin_transfer() {
   on(EndPreview{});
 }
 
+void Workbench::Impl::poll_rest() {
+  if (!state.trials || state.trials->phase != TrialsPhase::kResting) return;
+  const double left_s = std::max(0.0, state.trials->rest_s - (options.clock->now_s() - rest_begins_s));
+  // Drawn anew once a second.
+  if (std::ceil(left_s) == std::ceil(state.trials->rest_left_s)) return;
+  state.trials->rest_left_s = left_s;
+  dirty = true;
+}
+
 void Workbench::Impl::poll_console() {
   if (!hand_server) return;
   if (!state.trials) {
@@ -136,6 +154,15 @@ void Workbench::Impl::poll_console() {
     return;
   }
   const link::HandServerStatus status = hand_server->status();
+  // Who has been gone for so long does not come back: the transfer ends, and the block waits for somebody.
+  constexpr double kGone_s = 10.0;
+  const double now_s = options.clock->now_s();
+  if (!recording || status.frames != state.trials->console->frames) console_heard_s = now_s;
+  if (recording && now_s - console_heard_s > kGone_s) {
+    console_heard_s = now_s;
+    log(Severity::kWarning, "The console has been silent for 10 s: the transfer was stopped");
+    on(StopTrial{});
+  }
   ConsoleView console{state.trials->console->port, status.connected, status.peer,   status.scripted, status.one_clock,
                       status.delay_p95_s,          status.rtt_p95_s, status.frames, status.lost,     status.malformed};
   dirty = dirty || status.frames != state.trials->console->frames || status.connected != state.trials->console->there;
@@ -176,7 +203,8 @@ void Workbench::Impl::go_on_with_trials() {
     if (!trials.paused) begin_transfer();
     return;
   }
-  trials.rest_s = block.rest_s;
+  trials.rest_s = trials.rest_left_s = block.rest_s;
+  rest_begins_s = options.clock->now_s();
   ++trials.block;
   trials.transfer = 0;
   const bool more = trials.block < static_cast<int>(trials.blocks.size());

@@ -379,6 +379,18 @@ class Interrupts(CommandLineTest):
         self.assertEqual(code, WORLD, error)
         self.assertEqual(self.answer("info", project)["hash"], before)
 
+    def test_trials_that_are_stopped_are_kept(self):
+        project = self.empty_project()
+        code, error = self.interrupt("trial", "run", project, "--mode", "MT", "--transfers", "1000", "--seed", "1",
+                                     after_s=3.0)
+        self.assertEqual(code, WORLD, error)
+        kept = self.answer("trial", "list", project)["trials"]
+        self.assertIn(f"{len(kept)} transfer", error)
+        self.assertGreaterEqual(len(kept), 1)
+        self.assertEqual(kept[-1]["outcome"], "aborted")
+        for trial in kept:
+            self.assertTrue(self.answer("trial", "replay", project, trial["id"], "--verify")["verified"])
+
     def test_a_recording_that_is_stopped_is_discarded_and_says_so(self):
         project = self.recorded_project()
         self.answer("undo", project)

@@ -90,7 +90,7 @@ class TrialsTest(CommandLineTest):
         with open(rows, encoding="utf-8") as file:
             table = list(csv.DictReader(file))
         self.assertEqual(len(table), 6)
-        self.assertEqual({row["operator"] for row in table}, {"scripted"})
+        self.assertEqual({(row["operator"], row["assistant"]) for row in table}, {("scripted", "scripted")})
         times = {mode: [float(row["completion_s"]) for row in table if row["mode"] == mode] for mode in ("MT", "SC")}
         self.assertAlmostEqual(results["MT"]["mean_s"], sum(times["MT"]) / 3, places=4)
         differences = [a - b for a, b in zip(times["MT"], times["SC"])]
@@ -117,14 +117,14 @@ class TrialsTest(CommandLineTest):
                 self.answer("trial", "run", project, "--mode", mode, "--seed", seed, "--subject", subject, "--block", "0")
         rows, figure = self.folder / "p.csv", self.folder / "f.svg"
         answer = self.answer("trial", "results", project, "--participants", rows, "--figure", figure)
-        self.assertEqual([each["name"] for each in answer["participants"]], ["S1", "S2", "S3"])
+        self.assertEqual([each["name"] for each in answer["participants"]], [f"{s} (scripted expert)" for s in ("S1", "S2", "S3")])
         means = [each["MT"]["mean_s"] - each["SC"]["mean_s"] for each in answer["participants"]]
         self.assertEqual(answer["by_participant"]["pairs"], 3)
         self.assertAlmostEqual(answer["by_participant"]["mean_s"], sum(means) / 3, places=9)
         with open(rows, newline="") as file:
             table = list(csv.DictReader(file))
-        self.assertEqual([(row["participant"], row["mode"]) for row in table],
-                         [(s, m) for s in ("S1", "S2", "S3") for m in ("MT", "SC")])
+        self.assertEqual([(row["participant"], row["operator"], row["mode"]) for row in table],
+                         [(f"{s} (scripted expert)", "scripted", m) for s in ("S1", "S2", "S3") for m in ("MT", "SC")])
         for row, each in zip(table[::2], answer["participants"]):
             self.assertAlmostEqual(float(row["completion_mean_s"]), each["MT"]["mean_s"], delta=1e-3)
         alone = self.folder / "one.svg"
@@ -141,8 +141,31 @@ class TrialsTest(CommandLineTest):
         self.assertGreater(ran["trials"][0]["delay_worst_s"], ran["trials"][0]["delay_mean_s"])
         self.assertEqual(self.answer("trial", "show", project, "MT 1")["delay"], "ar1:60:10")
 
+    def test_the_tool_begins_in_the_cell_of_a_rollout(self):
+        project = self.recorded_project()
+        ran = self.answer("trial", "run", project, "--mode", "SC", "--block", "0", "--from-cell", "4,5,18")["trials"][0]
+        self.assertEqual(ran["outcome"], "success")
+        shown = self.answer("trial", "show", project, ran["id"])["begin_m"]
+        below = self.answer("trial", "run", project, "--mode", "MT", "--block", "0", "--from-cell", "4,5,17")["trials"][0]
+        # A cell is 2.5 mm.
+        for a, b, apart in zip(shown, below["begin_m"], (0.0, 0.0, 0.0025)):
+            self.assertAlmostEqual(a - b, apart, delta=1e-9)
+        self.assertTrue(self.answer("trial", "replay", project, ran["id"], "--verify")["verified"])
+        rows = self.folder / "rows.csv"
+        self.answer("trial", "results", project, "--trials", rows)
+        with open(rows, newline="", encoding="utf-8") as file:
+            row = next(csv.DictReader(file))
+        self.assertAlmostEqual(float(row["begin_z_m"]), shown[2], delta=1e-6)
+        self.refused("trial", "run", project, "--mode", "MT", "--from-cell", "22,0,0", code=USAGE, saying="no cell")
+
+    def test_blocks_that_no_model_serves_are_named_before_anything_runs(self):
+        project = self.recorded_project()
+        self.refused("trial", "run", project, "--mode", "SC", "--transfers", "3", code=USAGE, saying="serves block 1")
+        self.assertEqual(self.answer("info", project)["trials"], 0)
+
     def test_what_makes_no_sense_is_refused_before_anything_runs(self):
         project = self.recorded_project()
+        self.refused("trial", "run", project, "--protocol", "sim", "--transfers", "3", code=USAGE, saying="--transfers")
         self.refused("trial", "run", project, "--mode", "XX", code=USAGE, saying="--mode")
         self.refused("trial", "run", project, "--mode", "MT", "--delay-ms", "soon", code=USAGE, saying="a delay is")
         self.refused("trial", "run", project, "--mode", "SC", "--model-c", "A exact", code=USAGE, saying="segment A")

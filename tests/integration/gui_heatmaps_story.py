@@ -72,7 +72,7 @@ class Story(CommandLineTest):
             cell = dict(zip("ijk", heading.removeprefix("Fields/Probe/Cell ").split(", ")))
             if station == "goal":
                 self.assertEqual(cell, {axis: goal[axis] for axis in "ijk"})
-            for layer, row in (("reward", "Reward θ"), ("value", "Value V"), ("q+x", "Q +x"), ("q-z", "Q -z")):
+            for layer, row in (("reward", "Reward θ"), ("value", "Value V"), ("q+x", "Q +x"), ("q-z", "Q −z")):
                 out = self.folder / "probed.csv"
                 self.answer("field", "export", project, "exploring", "--layer", layer, "--out", out)
                 known = next(one for one in rows_of(out) if all(one[axis] == cell[axis] for axis in "ijk"))["value"]

@@ -19,6 +19,10 @@ class Story(CommandLineTest):
         self.answer("model", "train", project, "Expert", "--segment", "C", "--method", "exact", "--name", "C exact")
         script = self.folder / "story.ui"
         script.write_text((TESTS / "gui" / "J5_trials.ui").read_text())
+        # The same order for everybody; the agent has an arm to be stopped with in the first block.
+        (self.folder / "short.json").write_text(json.dumps({"name": "Short", "fixed": 2, "transfer_s": 60, "blocks": [
+            {"name": "Try it", "mode": "SC", "counts": False, "transfers": 2, "rest_s": 600},
+            {"name": "Manual", "mode": "MT", "transfers": 1}]}))
         here = os.getcwd()
         os.chdir(self.folder)
         self.addCleanup(os.chdir, here)
@@ -29,7 +33,7 @@ class Story(CommandLineTest):
 
     def check_trials(self, project):
         trials = {trial["name"]: trial for trial in self.answer("trial", "list", project)["trials"]}
-        self.assertEqual(set(trials), {"MT 1", "SC 1", "MT 2", "MT 3"})
+        self.assertEqual(set(trials), {"MT 1", "SC 1", "MT 2", "MT 3", "SC 2", "SC 3", "MT 4"})
         self.assertEqual(trials["MT 1"]["outcome"], "success")
         self.assertEqual(trials["SC 1"]["outcome"], "success")
         self.assertFalse(trials["SC 1"]["excluded"])
@@ -39,6 +43,11 @@ class Story(CommandLineTest):
         stopped = self.answer("trial", "show", project, "MT 2")["events"]
         self.assertIn(("incident", "incident"), [(event["kind"], event["text"]) for event in stopped])
         self.assertIn(("state", "stopped"), [(event["kind"], event["text"]) for event in stopped])
+        # Of the protocol: stopped while the agent had the arm, stopped in E, and one to its end.
+        self.assertEqual((trials["SC 2"]["outcome"], trials["SC 3"]["outcome"]), ("aborted", "success"))
+        self.assertEqual((trials["MT 4"]["outcome"], trials["MT 4"]["placed"]), ("success", True))
+        states = [e["text"] for e in self.answer("trial", "show", project, "SC 2")["events"] if e["kind"] == "state"]
+        self.assertEqual(states[-2:], ["agent", "stopped"])
         for name in trials:
             self.assertTrue(self.answer("trial", "replay", project, name, "--verify", code=DONE)["verified"], name)
         # What the window ran is to the bit what the command line runs.
@@ -49,7 +58,8 @@ class Story(CommandLineTest):
             self.answer("undo", project)
 
     def check_release(self, project):
-        """The arm is the operator's within one period of the release, or had been since the agent's segment ended."""
+        """The arm is the operator's within one period of the release, or had been since the agent's segment ended. Of a
+        release in the middle of the agent's way tells cli_link_test."""
         events = self.answer("trial", "show", project, "SC 1")["events"]
         begins = [event["t_s"] for event in events if event["text"].startswith("begins")]
         self.assertEqual(len(begins), 2)
@@ -70,7 +80,7 @@ class Story(CommandLineTest):
         with open(rows, newline="") as file:
             self.assertEqual({row["operator"] for row in csv.DictReader(file)}, {"scripted"})
         # What was stopped tells nothing of the mode.
-        self.assertEqual((results["MT"]["trials"], results["SC"]["trials"], results["paired"]["pairs"]), (1, 1, 1))
+        self.assertEqual((results["MT"]["trials"], results["SC"]["trials"], results["paired"]["pairs"]), (2, 1, 1))
         shown = {item["path"]: item["value"] for item in json.loads((self.folder / "results.json").read_text())}
         self.assertEqual(shown["Trials/Results/MT Completion, mean"], f"{results['MT']['mean_s']:.2f} s")
         self.assertEqual(shown["Trials/Results/SC Completion, mean"], f"{results['SC']['mean_s']:.2f} s")

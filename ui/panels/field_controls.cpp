@@ -29,7 +29,7 @@ std::vector<std::string> names_of(const Kinds& kinds) {
 }
 
 std::vector<std::string> map_names() {
-  std::vector<std::string> names{"automatic colours"};
+  std::vector<std::string> names{"auto colours"};
   for (const plot::ColourMap map : kMaps) names.emplace_back(plot::to_string(map));
   return names;
 }

@@ -89,9 +89,10 @@ std::vector<ProbeRow> rows_of(const WorkbenchState& state, const learning::Field
   for (int a = 0; a < spatial::kActionCount; ++a) {
     const auto action = static_cast<spatial::Action>(a);
     const std::string sign = a == static_cast<int>(best) ? std::string(icon::kVerify) + " " : "";
-    rows.push_back({fmt::format("Q {}", spatial::to_string(action)), sign + known_words(model, layer_of(a), cell)});
+    rows.push_back({fmt::format("Q {}", direction_words(action)), sign + known_words(model, layer_of(a), cell)});
   }
-  rows.push_back({"Best action", std::string(action_words(best))});
+  const bool any = best != learning::kNoAction;
+  rows.push_back({"Best action", any ? std::string(direction_words(static_cast<spatial::Action>(best))) : "none"});
   rows.push_back({"Margin", value_words(margin, margin.values[flat])});
   rows.push_back({field.layer == learning::Layer::kVisits ? field.title : "Visits", visits_words(model, flat)});
   rows.push_back({"Explored", explored_words(model.options.method, model.tried[flat], cell == model.goal)});

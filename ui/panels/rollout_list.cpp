@@ -167,7 +167,7 @@ const std::vector<std::size_t>& RolloutOrder::of(const workbench::ModelInsight& 
 void RolloutTable::draw(Ui& ui, const WorkbenchState& state, const RolloutBrush& brush, Requests& requests) {
   const Scope scope(ui, "Table");
   const workbench::ModelInsight& insight = *state.insight;
-  small_text(ui, listed_words(insight) + "; a click on a row brings it out", ui.theme().text_dim);
+  small_text(ui, listed_words(insight) + "; a click on a row selects it", ui.theme().text_dim);
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_ScrollY | ImGuiTableFlags_ScrollX |
                                      ImGuiTableFlags_Sortable | ImGuiTableFlags_Resizable |
                                      ImGuiTableFlags_SizingFixedFit;

@@ -149,7 +149,7 @@ void draw_second_model(Ui& ui, const WorkbenchState& state, Requests& requests) 
   draw_pairs(ui, "All starts", second.comparison->paired);
   ImGui::Dummy({0.0F, ui.px(3)});
   draw_differences(ui, *second.comparison);
-  wrapped_text(ui, "The map of both is below Outcomes", ui.theme().text_dim);
+  wrapped_text(ui, "Their map is on the page Outcomes", ui.theme().text_dim);
 }
 
 }  // namespace trocar::ui

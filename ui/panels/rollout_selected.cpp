@@ -51,7 +51,7 @@ void draw_parting(Ui& ui, const workbench::ModelInsight& insight) {
   fact(ui, "They part", fmt::format("after {} steps in {}", *second.parts_at, start_words(a.grid, where)));
   for (int action = 0; action < spatial::kActionCount; ++action) {
     const auto which = static_cast<spatial::Action>(action);
-    fact(ui, fmt::format("Q {}, A and B", spatial::to_string(which)),
+    fact(ui, fmt::format("Q {}, A and B", direction_words(which)),
          number(a.q_at(where, which)) + "  and  " + number(b.q_at(where, which)));
   }
 }
@@ -94,6 +94,17 @@ void draw_selected_rollout(Ui& ui, const WorkbenchState& state, Requests& reques
     requests.emplace_back(ShowWorkspace{Workspace::kAuthor});
     requests.emplace_back(ShowPanel{PanelId::kView});
     requests.emplace_back(workbench::Command{take});
+  }
+  constexpr std::string_view kTrial = "Begin a trial from here";
+  const bool of_a = insight.entry->segment == demonstration::Segment::kA;
+  if (button(ui, kTrial,
+             {.icon = icon::kTasks,
+              .help = "The workspace Trials: the left tool of the next trials begins in this cell",
+              .reason = of_a ? "" : "A trial begins with segment A, and this model is of another",
+              .width = std::min(ImGui::GetContentRegionAvail().x, button_width(ui, kTrial, icon::kTasks))})) {
+    const workbench::FromCell from{grid.coordinates(rollout.start), grid.n, insight.entry->segment};
+    requests.emplace_back(workbench::Command{workbench::SetTrialStart{from}});
+    requests.emplace_back(ShowWorkspace{Workspace::kTrials});
   }
   flow(button_width(ui, "Deselect", icon::kCross), ui.px(6));
   if (button(ui, "Deselect", {.icon = icon::kCross, .help = "No rollout stands out", .style = ButtonStyle::kQuiet})) {

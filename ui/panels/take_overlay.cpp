@@ -32,7 +32,20 @@ const char* arm_name(ArmSide side) {
   return side == ArmSide::kLeft ? "Left" : "Right";
 }
 
+/// The tools are a person's here, in a take or in a trial.
+bool driven_here(const WorkbenchState& state) {
+  return take_goes_on(state) || trial_goes_on(state);
+}
+
+trial::HandMode mode_of(const WorkbenchState& state) {
+  return trial_goes_on(state) ? trial::HandMode::kContinuous : state.take->request.options.mode;
+}
+
 bool driven(const WorkbenchState& state, ArmSide side) {
+  if (trial_goes_on(state)) {
+    const workbench::StartTrials& request = state.trials->request;
+    return side == ArmSide::kLeft ? request.person : request.person_assists;
+  }
   return state.take->request.options.sources[kinematics::index_of(side)] == trial::ArmSource::kHand;
 }
 
@@ -42,7 +55,7 @@ spatial::Pose place_of(const WorkbenchState& state, ArmSide side) {
 }
 
 bool sets_waypoints(const WorkbenchState& state) {
-  return state.take->request.options.mode == trial::HandMode::kWaypoint;
+  return mode_of(state) == trial::HandMode::kWaypoint;
 }
 
 /// Arrows along the axes of W.
@@ -90,7 +103,7 @@ std::string record_time(double s) {
 
 /// By a millimetre for each notch of the wheel, or a cell.
 void push_away(const WorkbenchState& state, const ViewPort& view, ArmSide arm, float notches, Requests& requests) {
-  if (state.take->request.options.mode == trial::HandMode::kStep) {
+  if (mode_of(state) == trial::HandMode::kStep) {
     const Vector3d way = std::copysign(1.0, static_cast<double>(notches)) * -Vector3d::UnitX();
     requests.emplace_back(Command{workbench::HandInput{{trial::StepTool{arm, way}}}});
     return;
@@ -226,7 +239,7 @@ void TakeOverlay::follow(const WorkbenchState& state, const ViewPort& view, floa
   const double pixel_m = view.pixel_m(place_of(state, drag.arm).p);
   drag.left_W += pixel_m * (R_WC.col(0) * static_cast<double>(by.x()) + R_WC.col(1) * static_cast<double>(by.y())) +
                  kWheel_m * static_cast<double>(wheel) * R_WC.col(2);
-  if (state.take->request.options.mode != trial::HandMode::kStep) {
+  if (mode_of(state) != trial::HandMode::kStep) {
     if (drag.left_W.squaredNorm() == 0.0) return;
     requests.emplace_back(Command{workbench::HandInput{{trial::ShiftTool{drag.arm, drag.left_W}}}});
     drag.left_W.setZero();
@@ -244,7 +257,7 @@ void TakeOverlay::follow(const WorkbenchState& state, const ViewPort& view, floa
 
 bool TakeOverlay::take_mouse(Ui& ui, const WorkbenchState& state, const ViewPort& view, bool hovered,
                              Requests& requests) {
-  if (!take_goes_on(state)) {
+  if (!driven_here(state)) {
     drag_.reset();
     return false;
   }
@@ -272,7 +285,7 @@ bool TakeOverlay::take_mouse(Ui& ui, const WorkbenchState& state, const ViewPort
 }
 
 void TakeOverlay::draw_marks(Ui& ui, const WorkbenchState& state, const ViewPort& view) const {
-  if (!take_goes_on(state)) return;
+  if (!driven_here(state)) return;
   draw_waypoints(ui, state, view);
   draw_handles(ui, state, view);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/control/delay_model.h"
 #include "ui/format.h"
@@ -20,11 +21,12 @@ using workbench::TrialsPhase;
 
 const std::vector<std::string>& protocol_names() {
   static const std::vector<std::string> kNames{"One block", "Simulation study (paper, IV-C1)",
-                                               "Study on the dVRK (paper, IV-C2)"};
+                                               "Study on the dVRK (paper, IV-C2)", "From a file"};
   return kNames;
 }
-/// As `trial::find_protocol` takes them.
+/// As `trial::find_protocol` takes them; after them that of a file.
 constexpr std::array<const char*, 3> kProtocols{"", "sim", "dvrk"};
+constexpr int kFromFile = 3;
 
 std::string limit_words(const trial::ProtocolBlock& block) {
   std::string words;
@@ -43,8 +45,9 @@ void text_setting(Ui& ui, std::string_view shown, std::string_view name, std::st
 
 }  // namespace
 
-workbench::StartTrials TrialsPanel::request() const {
+workbench::StartTrials TrialsPanel::request(const WorkbenchState& state) const {
   workbench::StartTrials start;
+  start.from = state.trial_start;
   workbench::TrialPlan& plan = start.plan;
   plan.options.mode = mode_ == 0 ? Mode::kManual : Mode::kShared;
   plan.options.skill = static_cast<trial::Skill>(skill_);
@@ -55,7 +58,7 @@ workbench::StartTrials TrialsPanel::request() const {
   plan.seed = static_cast<std::uint64_t>(seed_);
   plan.first_block = static_cast<int>(block_);
   plan.same_block = !in_turn_;
-  start.protocol = kProtocols[static_cast<std::size_t>(protocol_)];
+  start.protocol = protocol_ == kFromFile ? protocol_file_ : kProtocols[static_cast<std::size_t>(protocol_)];
   start.person = operator_ == 1;
   if (operator_ != 0) plan.subject = fmt::format("S{}", subject_);
   start.subject_number = static_cast<int>(subject_ - 1);
@@ -71,6 +74,7 @@ workbench::StartTrials TrialsPanel::request() const {
 std::string TrialsPanel::reason(const WorkbenchState& state) const {
   if (std::string why = command("trials.start").reason_now(state); !why.empty()) return why;
   if (const auto delay = control::delay_from(delay_); !delay) return delay.error().text();
+  if (protocol_ == kFromFile && protocol_file_.empty()) return "Type the file of a protocol";
   const bool shared = protocol_ != 0 || mode_ == 1;
   const bool any = std::any_of(state.project->models.begin(), state.project->models.end(), [](const auto& each) {
     return each.second->segment == demonstration::Segment::kA || each.second->segment == demonstration::Segment::kC;
@@ -125,9 +129,9 @@ void TrialsPanel::draw_devices(Ui& ui, const WorkbenchState& state) {
   std::string keys;
   if (operator_ == 1) {
     keys =
-        "W S, A D, Q E move the left tool, Z X turn it, C opens and shuts its jaws, V is the clutch. Hold Space for "
-        "the "
-        "agent.";
+        "W S, A D, Q E move the left tool, Z X turn it, C opens and shuts its jaws, V is the clutch; the mouse drags "
+        "it "
+        "in the view. Hold Space for the agent.";
   }
   if (assistant_ == 1) {
     if (!keys.empty()) keys += " ";
@@ -136,8 +140,18 @@ void TrialsPanel::draw_devices(Ui& ui, const WorkbenchState& state) {
   wrapped_text(ui, keys, ui.theme().text_dim);
 }
 
-void TrialsPanel::draw_how(Ui& ui) {
+void TrialsPanel::draw_how(Ui& ui, const WorkbenchState& state, Requests& requests) {
   static const std::vector<std::string> kAnchors{"Board", "Target"};
+  if (state.trial_start) {
+    const spatial::CellCoordinates& c = state.trial_start->cell;
+    fact(ui, "Tool begins in", fmt::format("cell {}, {}, {}", c.x, c.y, c.z));
+    if (button(ui, "Begin where it is ready",
+               {.icon = icon::kCross,
+                .help = "Forget the start that came from a rollout",
+                .style = ButtonStyle::kQuiet})) {
+      requests.emplace_back(Command{workbench::SetTrialStart{}});
+    }
+  }
   form_label(ui, "First block");
   number_field(ui, "First block", block_, 0, 5, {.help = "The block of the first transfer; its goal has its number"});
   checkbox(ui, "Blocks in turn", in_turn_, {.help = "Each transfer takes the next block; else the same one"});
@@ -161,6 +175,11 @@ void TrialsPanel::draw_setup(Ui& ui, const WorkbenchState& state, Requests& requ
   heading(ui, "What is run");
   form_label(ui, "Protocol");
   combo(ui, "Protocol", protocol_, protocol_names(), {.help = "Blocks with their limits and rests, in balanced order"});
+  if (protocol_ == kFromFile) {
+    form_label(ui, "File");
+    text_field(ui, "Protocol file", protocol_file_, "protocol.json",
+               {.help = "Blocks as JSON; assets/protocols/sim.json is an example"});
+  }
   if (protocol_ == 0) {
     form_label(ui, "Mode");
     segmented(ui, "Mode", mode_, kModes, {.help = "MT: the operator does A to D; SC: the agent moves in A and C"});
@@ -170,7 +189,7 @@ void TrialsPanel::draw_setup(Ui& ui, const WorkbenchState& state, Requests& requ
   heading(ui, "By whom");
   draw_who(ui, state);
   heading(ui, "How");
-  draw_how(ui);
+  draw_how(ui, state, requests);
   ImGui::Dummy({0.0F, ui.px(6)});
   const std::string why = reason(state);
   if (button(ui, "Start",
@@ -179,7 +198,7 @@ void TrialsPanel::draw_setup(Ui& ui, const WorkbenchState& state, Requests& requ
               .reason = why,
               .width = -1.0F,
               .style = ButtonStyle::kPrimary})) {
-    requests.emplace_back(Command{request()});
+    requests.emplace_back(Command{request(state)});
     requests.emplace_back(ShowPanel{PanelId::kView});
   }
   if (!why.empty()) wrapped_text(ui, why, ui.theme().text_dim);
@@ -204,6 +223,11 @@ void TrialsPanel::draw_live(Ui& ui, const WorkbenchState& state) {
   fact(ui, "Delay applied",
        fmt::format("{:.0f} ms, mean {:.1f}, worst {:.0f}", 1e3 * status.delay_s, 1e3 * status.counts.delay_mean_s,
                    1e3 * status.counts.delay_worst_s));
+  if (live.lateness.ticks() > 0) {
+    fact(ui, "Ticks late by 1 ms or more",
+         fmt::format("{} of {}, worst {:.1f} ms", count(live.lateness.missed()), count(live.lateness.ticks()),
+                     1e-6 * static_cast<double>(live.lateness.worst_ns())));
+  }
   fact(ui, "Attempts, misses", fmt::format("{}, {}", status.counts.attempts, status.counts.misses));
   control_states(ui, status.state);
   ui.animate();
@@ -232,9 +256,11 @@ void TrialsPanel::draw_runner(Ui& ui, const WorkbenchState& state, Requests& req
     heading(ui, fmt::format("Block {} of {}: {}", view.block + 1, view.blocks.size(), block.name));
     if (!block.instructions.empty()) wrapped_text(ui, block.instructions, ui.theme().text);
     fact(ui, "Ends after", limit_words(block));
+    const double block_s = view.block_s + (state.live && state.live->trial ? state.live->world.tick.seconds() : 0.0);
     fact(ui, "Block",
-         fmt::format("{}{}", time_code(view.block_s),
-                     block.time_s ? fmt::format(" of {}", time_code(*block.time_s)) : ""));
+         block.time_s
+             ? fmt::format("{}, {} left", time_code(block_s), time_code(std::max(0.0, *block.time_s - block_s)))
+             : time_code(block_s));
   } else {
     heading(ui, "All blocks are over");
   }
@@ -242,7 +268,9 @@ void TrialsPanel::draw_runner(Ui& ui, const WorkbenchState& state, Requests& req
   if (view.console) draw_console(ui, *view.console);
   if (state.live && state.live->trial && !over) draw_live(ui, state);
   if (view.phase == TrialsPhase::kResting) {
-    badge(ui, icon::kClock, fmt::format("Rest {:.0f} s", view.rest_s), ui.theme().accent, "Then start the next block");
+    fact(ui, "Rest",
+         view.rest_left_s > 0.0 ? fmt::format("{:.0f} s left of {:.0f}", std::ceil(view.rest_left_s), view.rest_s)
+                                : "over: the next block can begin");
   }
   ImGui::Dummy({0.0F, ui.px(4)});
   // The soft stop is always there, and says what it is not.
@@ -256,64 +284,6 @@ void TrialsPanel::draw_runner(Ui& ui, const WorkbenchState& state, Requests& req
   flow(button_width(ui, "End", icon::kCross), ui.px(6));
   command_button(ui, state, "trials.end", "End", ButtonStyle::kQuiet, requests);
   small_text(ui, "Stop is a soft stop, not an emergency stop", ui.theme().text_dim);
-}
-
-void TrialsPanel::draw_judgement(Ui& ui, const workbench::TrialEntry& trial, Requests& requests) {
-  const Scope scope(ui, "Judgement");
-  const trial::TrialRecord& record = trial.record;
-  heading(ui, trial.name);
-  fact(ui, "Made by", record.operator_kind + (record.skill.empty() ? "" : " " + record.skill));
-  fact(ui, "Outcome", demonstration::to_string(record.outcome));
-  fact(ui, "Completion", record.completion_s ? seconds(*record.completion_s) : "–");
-  fact(ui, "Agent's share", fmt::format("{:.0f} %", 100.0 * record.metrics.agent_share));
-  fact(ui, "Path", fmt::format("{:.0f} mm", 1e3 * record.metrics.path_length_m));
-  fact(ui, "Seed, block", fmt::format("{}, {}", record.seed, record.block));
-  if (trial.excluded) {
-    fact(ui, "Left out", trial.reason);
-    if (button(ui, "Include", {.icon = icon::kVerify, .help = "It counts in the results again"})) {
-      requests.emplace_back(Command{workbench::CommitEdit{workbench::JudgeTrial{trial.id, false, ""}}});
-    }
-  } else {
-    form_label(ui, "Reason");
-    text_field(ui, "Reason", why_, "Why it is left out");
-    if (button(ui, "Exclude",
-               {.icon = icon::kCross,
-                .help = "Leave it out of the results; it stays in the project",
-                .reason = why_.empty() ? "Say why first" : ""})) {
-      requests.emplace_back(Command{workbench::CommitEdit{workbench::JudgeTrial{trial.id, true, why_}}});
-    }
-  }
-  ImGui::SameLine();
-  if (button(ui, "Verify replay", {.icon = icon::kRefresh, .help = "Simulate it again and compare every hash"})) {
-    requests.emplace_back(Command{workbench::VerifyReplay{demonstration::DemonstrationId{trial.id.value}}});
-  }
-}
-
-void TrialsPanel::draw_list(Ui& ui, const WorkbenchState& state, Requests& requests) {
-  const Scope scope(ui, "List");
-  if (state.project->trials.empty()) {
-    empty_state(ui, icon::kTasks, "No trials yet", "What is run on the page Run stays here, with its record", {},
-                ui.px(160));
-    return;
-  }
-  const workbench::TrialEntry* selected = nullptr;
-  for (const auto& [id, trial] : state.project->trials) {
-    const bool is_selected = state.demonstration.value == id.value;
-    if (is_selected) selected = trial.get();
-    const trial::TrialRecord& record = trial->record;
-    const std::string value = fmt::format("{}, {}{}", demonstration::to_string(record.outcome),
-                                          record.completion_s ? seconds(*record.completion_s) : "no completion",
-                                          trial->excluded ? ", left out" : "");
-    ImGui::PushID(static_cast<int>(id.value));
-    if (selectable_row(ui, trial->name, is_selected, value, {.help = "Show it in the view and in the timeline"})) {
-      requests.emplace_back(Command{workbench::SelectDemonstration{demonstration::DemonstrationId{id.value}}});
-    }
-    ImGui::SameLine(0.0F, 0.0F);
-    ImGui::TextUnformatted(fmt::format("{}   {}", trial->name, value).c_str());
-    ImGui::PopID();
-  }
-  ImGui::Dummy({0.0F, ui.px(4)});
-  if (selected != nullptr) draw_judgement(ui, *selected, requests);
 }
 
 void TrialsPanel::draw_results(Ui& ui, const WorkbenchState& state, Requests& requests) {
@@ -376,7 +346,7 @@ Requests TrialsPanel::draw(Ui& ui, const WorkbenchState& state) {
       draw_setup(ui, state, requests);
     }
   } else if (page_ == 1) {
-    draw_list(ui, state, requests);
+    list_.draw(ui, state, requests);
   } else {
     draw_results(ui, state, requests);
   }

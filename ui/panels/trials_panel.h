@@ -6,6 +6,7 @@
 
 #include "engine/workbench/trial_results.h"
 #include "ui/panel.h"
+#include "ui/panels/trial_list.h"
 
 namespace trocar::ui {
 
@@ -19,19 +20,18 @@ class TrialsPanel final : public Panel {
   void draw_devices(Ui& ui, const WorkbenchState& state);
   /// Somebody moves an arm who is no script.
   bool anybody() const { return operator_ != 0 || assistant_ != 0; }
-  void draw_how(Ui& ui);
+  void draw_how(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_console(Ui& ui, const workbench::ConsoleView& console);
   void draw_runner(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_live(Ui& ui, const WorkbenchState& state);
-  void draw_list(Ui& ui, const WorkbenchState& state, Requests& requests);
-  void draw_judgement(Ui& ui, const workbench::TrialEntry& trial, Requests& requests);
   void draw_results(Ui& ui, const WorkbenchState& state, Requests& requests);
-  workbench::StartTrials request() const;
+  workbench::StartTrials request(const WorkbenchState& state) const;
   /// Why they cannot be run; "" if they can.
   std::string reason(const WorkbenchState& state) const;
 
   int page_ = 0;
   int protocol_ = 0;
+  std::string protocol_file_;
   int mode_ = 1;
   int operator_ = 0;   ///< 0 script, 1 person, 2 console.
   int assistant_ = 0;  ///< Likewise 0 or 1; of a console its right hand.
@@ -49,7 +49,7 @@ class TrialsPanel final : public Panel {
   bool realtime_ = true;
   bool in_turn_ = true;
   std::int64_t block_ = 0;
-  std::string why_;  ///< Of what is excluded.
+  TrialList list_;
   std::string file_ = "trials.csv";
   std::shared_ptr<const workbench::Project> of_;  ///< Whose results these are.
   workbench::TrialResults results_;

@@ -1,4 +1,5 @@
 #include "engine/workbench/jobs/film_source.h"
+#include "engine/workbench/trial_results.h"
 
 #include <fmt/format.h>
 
@@ -49,6 +50,8 @@ void count_before(const Project& project, FilmSource& source) {
   for (const auto& [id, other] : project.trials) {
     if (id == source.trial->id) return;
     if (other->excluded || other->record.mode != own.mode || other->record.session != own.session) continue;
+    // As in the results: neither rehearsals nor what was stopped.
+    if (other->record.in_results != own.in_results || was_stopped(other->record)) continue;
     ++source.before;
     if (other->record.outcome == demonstration::Outcome::kSuccess) ++source.successes;
   }
@@ -79,8 +82,11 @@ Status find_recording(const Project& project, FilmSource& source) {
                                                          "leave nothing",
                                                          shown.name, shown.begin_s, shown.end_s));
   }
-  source.scripted = is_scripted(shown);
+  source.scripted = is_scripted(shown) || (source.trial && source.trial->record.operator_kind == "scripted");
   source.provenance = provenance_of(shown);
+  if (source.trial && !source.scripted && source.trial->record.assistant == "scripted") {
+    source.provenance += ", right arm by a script";
+  }
   return {};
 }
 

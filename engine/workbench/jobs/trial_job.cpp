@@ -45,9 +45,11 @@ Status check(const TrialPlan& plan) {
 Result<RanTrial> run_one(const TrialPlan& plan, const trial::TrialOptions& options, int transfer,
                          const Progress& progress) {
   TROCAR_ASSIGN_OR_RETURN(const auto session, trial::SharedControlSession::create(options));
+  bool stopped = false;
   while (!session->done()) {
-    if (session->state().tick.count % Tick::kPerSecond == 0 && progress.cancelled()) {
-      return fail(ErrorCode::kCancelled, "the trials were stopped; none of them was kept");
+    if (!stopped && progress.cancelled()) {
+      session->stop();
+      stopped = true;
     }
     session->step();
   }
@@ -59,6 +61,7 @@ Result<RanTrial> run_one(const TrialPlan& plan, const trial::TrialOptions& optio
   ran.recording.outcome = session->outcome();
   ran.recording.placed = session->placed();
   ran.record = record_of(*session, plan, transfer, ran.recording.samples, session->take_events());
+  ran.record.interrupted = stopped;
   return ran;
 }
 
@@ -102,6 +105,16 @@ Result<trial::TrialOptions> options_of(const Project& project, const TrialPlan& 
   options.block = options.goal = (plan.first_block + (plan.same_block ? 0 : transfer)) % peg_board::kBlockCount;
   options.delay.seed = options.seed;
   TROCAR_ASSIGN_OR_RETURN(options.agents, agents_for(project, plan, options.block));
+  if (options.mode == trial::Mode::kShared && options.agents.empty()) {
+    const bool any = std::any_of(project.models.begin(), project.models.end(), [](const auto& each) {
+      return each.second->segment == Segment::kA || each.second->segment == Segment::kC;
+    });
+    if (!any) return fail(ErrorCode::kInvalidArgument, "shared control needs a model: train one of segment A or C");
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("no model serves block {}: train one of A there or one of C, or anchor the lattice at the "
+                            "target",
+                            options.block));
+  }
   return options;
 }
 
@@ -122,6 +135,7 @@ trial::TrialRecord record_of(trial::SharedControlSession& session, const TrialPl
   record.seed = options.seed;
   record.block = options.block;
   record.goal = options.goal;
+  record.begin_p_W = options.begin_p_W;
   record.scale = options.scale;
   record.agent_rate_hz = options.agent_rate_hz;
   record.anchor = options.anchor;
@@ -134,7 +148,7 @@ trial::TrialRecord record_of(trial::SharedControlSession& session, const TrialPl
   record.completion_s = session.completion_s();
   record.duration_s = session.state().tick.seconds();
   record.counts = session.trial_status()->counts;
-  record.metrics = trial::trial_metrics(samples, record.completion_s, record.counts.agent_s);
+  record.metrics = trial::trial_metrics(samples, session.decided_s(), record.counts.agent_s);
   record.events = events;
   return record;
 }
@@ -160,7 +174,7 @@ Result<std::vector<RanTrial>> run_trials(const Project& project, const TrialPlan
   others.clear();
   std::vector<RanTrial> trials;
   for (auto& each : ran) {
-    if (!each) return fail(ErrorCode::kCancelled, "the trials were stopped; none of them was kept");
+    if (!each) continue;
     if (!*each) return tl::unexpected(std::move(*each).error());
     trials.push_back(std::move(**each));
   }
@@ -173,7 +187,7 @@ Result<std::vector<RanTrial>> run_block(const Project& project, TrialPlan plan, 
   int successes = 0;
   double elapsed_s = 0.0;
   constexpr int kMost = 1000;
-  for (int i = 0; i < kMost && !trial::block_over(block, i, successes, elapsed_s); ++i) {
+  for (int i = 0; i < kMost && !progress.cancelled() && !trial::block_over(block, i, successes, elapsed_s); ++i) {
     TROCAR_ASSIGN_OR_RETURN(const trial::TrialOptions options, options_of(project, plan, i));
     TROCAR_ASSIGN_OR_RETURN(RanTrial each, run_one(plan, options, i, progress));
     successes += each.record.outcome == demonstration::Outcome::kSuccess ? 1 : 0;
@@ -181,6 +195,20 @@ Result<std::vector<RanTrial>> run_block(const Project& project, TrialPlan plan, 
     ran.push_back(std::move(each));
   }
   return ran;
+}
+
+Status check_blocks(const Project& project, const TrialPlan& plan, int transfers) {
+  for (int i = 0; i < std::min(transfers, static_cast<int>(peg_board::kBlockCount)); ++i) {
+    TROCAR_RETURN_IF_ERROR(options_of(project, plan, i).map([](const auto&) {}));
+  }
+  return {};
+}
+
+void add_link(const link::HandServerStatus& link, trial::TrialRecord& record) {
+  if (link.scripted) record.operator_kind = record.assistant = "scripted";
+  if (!link.one_clock) return;
+  record.counts.delay_mean_s += link.delay_mean_s;
+  record.counts.delay_worst_s += link.delay_worst_s;
 }
 
 Result<TrialPlan> plan_of(TrialPlan plan, const std::vector<trial::ProtocolBlock>& blocks, std::size_t number) {

@@ -6,6 +6,7 @@
 
 #include "engine/core/progress.h"
 #include "engine/core/result.h"
+#include "engine/link/hand_server.h"
 #include "engine/trial/protocol.h"
 #include "engine/trial/shared_control_session.h"
 #include "engine/workbench/project.h"
@@ -19,8 +20,11 @@ namespace trocar::workbench {
 /// Errors: kNotFound for a model that is not there; kInvalidArgument for one that is of B, D or E.
 Result<std::vector<trial::AgentModel>> agents_for(const Project& project, const TrialPlan& plan, int block);
 
-/// The options of one transfer of the plan. Errors: those of `agents_for`.
+/// The options of one transfer of the plan. Errors: those of `agents_for`; kInvalidArgument, naming the block, for
+/// shared control where no model serves it.
 Result<trial::TrialOptions> options_of(const Project& project, const TrialPlan& plan, int transfer);
+/// Whether each of so many transfers can be run: known before the first of them. Errors: as `options_of`.
+Status check_blocks(const Project& project, const TrialPlan& plan, int transfers);
 
 /// What a trial left, to be stored.
 struct RanTrial {
@@ -33,9 +37,12 @@ trial::TrialRecord record_of(trial::SharedControlSession& session, const TrialPl
                              const std::vector<demonstration::Sample>& samples,
                              const std::vector<trial::TrialEvent>& events);
 
-/// Each transfer by scripted operators, in order. Threads: any; `project` is not changed.
-/// Errors: kInvalidArgument for less than one transfer; those of `options_of` and `SharedControlSession::create`;
-/// kCancelled.
+/// What the session cannot know: that no person was at the other end, and the network's part of the delay.
+void add_link(const link::HandServerStatus& link, trial::TrialRecord& record);
+
+/// Each transfer by scripted operators, in order. When it is cancelled those under way are stopped and come back as
+/// aborted, those not begun do not: nothing that was run is lost. Threads: any; `project` is not changed.
+/// Errors: kInvalidArgument for less than one transfer; those of `options_of` and `SharedControlSession::create`.
 Result<std::vector<RanTrial>> run_trials(const Project& project, const TrialPlan& plan, Progress& progress);
 
 /// The transfers of one block of a protocol, until it is over. Errors: as `run_trials`.

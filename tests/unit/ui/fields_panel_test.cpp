@@ -43,7 +43,7 @@ TEST_CASE("scale, map and the reader's eyes are chosen from lists") {
   CHECK(text_of(driver.click("Map/magma")) == "");
   CHECK(desk.state.field.map == plot::ColourMap::kMagma);
   CHECK(text_of(driver.click("Fields/Map")) == "");
-  CHECK(text_of(driver.click("Map/automatic colours")) == "");
+  CHECK(text_of(driver.click("Map/auto colours")) == "");
   CHECK_FALSE(desk.state.field.map);
   CHECK(text_of(driver.click("Fields/Seen with")) == "");
   CHECK(text_of(driver.click("Seen with/deutan")) == "");

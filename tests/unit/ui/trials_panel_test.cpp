@@ -135,4 +135,72 @@ TEST_CASE("Space is the left pedal of a person, let go when the key is") {
   CHECK(pedal() == false);
 }
 
+TEST_CASE("a person drags the tool of a trial in the view, and not that of a console's trial") {
+  for (const bool by_console : {false, true}) {
+    CAPTURE(by_console);
+    workbench::WorkbenchState state = running(ControlState::kOperator);
+    state.trials->request.person = !by_console;
+    state.trials->request.person_assists = by_console;
+    if (by_console) state.trials->request.console_port = std::uint16_t{5005};
+    TrialsDesk desk(state);
+    desk.commands.clear();
+    CHECK(text_of(desk.driver().drag("View/Picture", 60.0F, -40.0F)) == "");
+    const auto* input = desk.last<workbench::HandInput>();
+    REQUIRE((input == nullptr) == by_console);
+    if (by_console) continue;
+    const auto& shift = std::get<trial::ShiftTool>(input->events.back());
+    CHECK(shift.arm == kinematics::ArmSide::kLeft);
+    CHECK(shift.by_W_m.norm() > 0.0);
+    CHECK(desk.last<workbench::SetCamera>() == nullptr);
+  }
+}
+
+TEST_CASE("the start of a rollout is where the next trials begin, until it is forgotten") {
+  workbench::WorkbenchState state = testing::made_state_with_model();
+  state.trial_start = workbench::FromCell{{8, 9, 16}};
+  TrialsDesk desk(state);
+  CHECK(desk.value("Trials/Setup/Tool begins in") == "cell 8, 9, 16");
+  CHECK(text_of(desk.driver().click("Trials/Setup/Start")) == "");
+  const auto* start = desk.last<workbench::StartTrials>();
+  REQUIRE(start != nullptr);
+  REQUIRE(start->from);
+  CHECK(command_text(*start, desk.state).find("--from-cell 8,9,16") != std::string::npos);
+  CHECK(text_of(desk.driver().click("Trials/Setup/Begin where it is ready")) == "");
+  REQUIRE(desk.last<workbench::SetTrialStart>() != nullptr);
+  CHECK_FALSE(desk.last<workbench::SetTrialStart>()->from);
+}
+
+TEST_CASE("what a console or a person drives is not passed off as a script's command line") {
+  const workbench::WorkbenchState state = testing::made_state_with_model();
+  workbench::StartTrials trials;
+  trials.console_port = std::uint16_t{5005};
+  trials.person_assists = true;
+  const std::string words = command_text(trials, state);
+  CHECK(words.find("--operator tcp --listen 5005 --assist") != std::string::npos);
+  CHECK(words.find("--skill") == std::string::npos);
+  trials.protocol = "sim";
+  CHECK(command_text(trials, state).empty());
+  workbench::StartTrials assisted;
+  assisted.person_assists = true;
+  CHECK(command_text(assisted, state).empty());
+}
+
+TEST_CASE("a block says what is left of it, also while a transfer goes on, and a rest how long it still is") {
+  workbench::WorkbenchState state = running(ControlState::kOperator);
+  state.trials->blocks.front().time_s = 300.0;
+  state.trials->block_s = 40.0;
+  state.live->world.tick = Tick{20'000};
+  state.live->lateness.add(2'500'000);
+  state.live->lateness.add(10'000);
+  TrialsDesk desk(state);
+  CHECK(desk.value("Trials/Runner/Block").find("4:00.0 left") != std::string::npos);
+  CHECK(desk.value("Trials/Runner/Ticks late by 1 ms or more") == "1 of 2, worst 2.5 ms");
+  workbench::WorkbenchState resting = testing::made_state_with_model();
+  resting.trials = one_block(trial::Mode::kShared);
+  resting.trials->phase = TrialsPhase::kResting;
+  resting.trials->rest_s = 60.0;
+  resting.trials->rest_left_s = 41.3;
+  CHECK(TrialsDesk(resting).value("Trials/Runner/Rest") == "42 s left of 60");
+}
+
 }  // namespace trocar::ui
