@@ -48,7 +48,7 @@ struct LiveRun {
   link::HandServerStatus link;
 };
 
-LiveRun run_at_1_kHz(trial::SharedControlSession& session, link::HandServer& server, const Console& console) {
+LiveRun run_at_1_kHz(trial::SharedControlSession& session, link::HandServer& server, Console& console) {
   LiveRun run;
   std::vector<std::vector<demonstration::Sample>> pieces;
   link::TickPacer pacer;
@@ -57,6 +57,7 @@ LiveRun run_at_1_kHz(trial::SharedControlSession& session, link::HandServer& ser
     const std::int64_t tick = session.state().tick.count;
     if (tick % kTellEvery_ticks == 0) {
       server.tell(session.trial_status()->state);
+      console.progress().set(session.state().tick.seconds() / session.options().time_limit_s);
       const bool ends = !console.check_not_cancelled() || server.silent_s() > kGone_s;
       if (ends && !run.interrupted) session.stop();
       run.interrupted = run.interrupted || ends;

@@ -5,6 +5,7 @@
 #include "app/options.h"
 #include "engine/core/file.h"
 #include "engine/film/composition_json.h"
+#include "engine/workbench/film_draft.h"
 #include "engine/workbench/jobs/film_job.h"
 #include "engine/workbench/jobs/film_sink.h"
 
@@ -16,6 +17,7 @@ struct RenderArguments {
   FilmArguments film;
   std::string out;
   std::string write_job;
+  bool session = false;
 };
 
 void bind_render(CLI::App& verb, RenderArguments& arguments) {
@@ -23,6 +25,8 @@ void bind_render(CLI::App& verb, RenderArguments& arguments) {
   bind_film(verb, arguments.film);
   verb.add_option("--out", arguments.out, "F.mp4 (or .mkv, .avi), or pictures: F_%05d.png");
   verb.add_option("--write-job", arguments.write_job, "F.json: write what the options mean as a job, and no film");
+  verb.add_flag("--all-of-session", arguments.session,
+                "Of a film of one trial: one like it of each trial of its session, F_SC_1.mp4 and so on");
 }
 
 /// In the words of the other commands, with what may have been meant.
@@ -48,25 +52,10 @@ Result<Answer> written(const RenderArguments& arguments, const film::Composition
   return answer;
 }
 
-Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
-  TROCAR_ASSIGN_OR_RETURN(film::Composition film, film_from(arguments.film));
-  if (!arguments.out.empty()) film.path = arguments.out;
-  if (film.path.empty() && arguments.write_job.empty()) {
-    return fail(ErrorCode::kInvalidArgument, "where does the film go: say --out F.mp4");
-  }
-  if (!film.path.empty()) {
-    TROCAR_RETURN_IF_ERROR(check_output(film.path, arguments.project));
-    if (film.overlays.has(film::Overlay::kCaptions)) {
-      TROCAR_RETURN_IF_ERROR(check_output(workbench::subtitles_beside(film.path), arguments.project));
-    }
-  }
-  TROCAR_ASSIGN_OR_RETURN(
-      const workbench::ProjectFile file,
-      open_to_read(arguments.project, console, workbench::needs_models(film) ? Models::kWhole : Models::kDescribed));
-  TROCAR_RETURN_IF_ERROR(check_sources(film, *file.project(), console));
-  if (!arguments.write_job.empty()) return written(arguments, film);
+Result<Answer> rendered(const film::Composition& film, const std::shared_ptr<const workbench::Project>& project,
+                        Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::FilmReport report,
-                          workbench::render_film({film, file.project(), {}}, console.progress()));
+                          workbench::render_film({film, project, {}}, console.progress()));
   for (const std::string& warning : report.warnings) console.diagnostics.warn(warning);
 
   std::error_code ignored;
@@ -84,6 +73,37 @@ Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
   answer.text = fmt::format("Wrote {}: {}", film.path, answer.summary);
   if (!report.subtitles.empty()) answer.text += fmt::format("\nWrote {}", report.subtitles.string());
   return answer;
+}
+
+Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
+  TROCAR_ASSIGN_OR_RETURN(film::Composition film, film_from(arguments.film));
+  if (!arguments.out.empty()) film.path = arguments.out;
+  if (film.path.empty() && arguments.write_job.empty()) {
+    return fail(ErrorCode::kInvalidArgument, "where does the film go: say --out F.mp4");
+  }
+  if (!film.path.empty()) {
+    TROCAR_RETURN_IF_ERROR(check_output(film.path, arguments.project));
+    if (film.overlays.has(film::Overlay::kCaptions)) {
+      TROCAR_RETURN_IF_ERROR(check_output(workbench::subtitles_beside(film.path), arguments.project));
+    }
+  }
+  TROCAR_ASSIGN_OR_RETURN(
+      const workbench::ProjectFile file,
+      open_to_read(arguments.project, console, workbench::needs_models(film) ? Models::kWhole : Models::kDescribed));
+  TROCAR_RETURN_IF_ERROR(check_sources(film, *file.project(), console));
+  if (!arguments.write_job.empty()) return written(arguments, film);
+  if (!arguments.session) return rendered(film, file.project(), console);
+  TROCAR_ASSIGN_OR_RETURN(const auto films, workbench::films_of_session(*file.project(), film));
+  Answer all;
+  all.json["films"] = Json::array();
+  for (const film::Composition& one : films) {
+    TROCAR_ASSIGN_OR_RETURN(const Answer answer, rendered(one, file.project(), console));
+    all.json["films"].push_back(answer.json);
+    all.text += answer.text + "\n";
+  }
+  all.summary = counted(films.size(), "film");
+  all.text += all.summary;
+  return all;
 }
 
 }  // namespace

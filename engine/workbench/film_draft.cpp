@@ -1,6 +1,7 @@
 #include "engine/workbench/film_draft.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -46,6 +47,38 @@ FilmDraft with_key(FilmDraft draft, const scene::OrbitCamera& view) {
   path.keys.insert(after, key);
   path.view = film::View::kPoses;
   return draft;
+}
+
+Result<std::vector<film::Composition>> films_of_session(const Project& project, const film::Composition& film) {
+  std::size_t place = 0;
+  std::vector<std::shared_ptr<const TrialEntry>> filmed;
+  for (std::size_t i = 0; i < film.sources.size(); ++i) {
+    if (film.sources[i].kind != film::SourceKind::kRecording) continue;
+    for (const auto& [id, trial] : project.trials) {
+      if (trial->name != film.sources[i].of && std::to_string(id.value) != film.sources[i].of) continue;
+      filmed.push_back(trial);
+      place = i;
+    }
+  }
+  if (filmed.size() != 1) {
+    return fail(ErrorCode::kInvalidArgument, "the films of a session are like a film of one of its trials");
+  }
+  const std::filesystem::path path = film.path;
+  if (film.path.find('%') != std::string::npos) {
+    return fail(ErrorCode::kInvalidArgument, "the films of a session are no rows of pictures");
+  }
+  std::vector<film::Composition> films;
+  for (const auto& [id, trial] : project.trials) {
+    if (trial->record.session != filmed.front()->record.session || trial->excluded) continue;
+    std::string name = trial->name;
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+    film::Composition one = film;
+    one.sources[place].of = std::to_string(id.value);
+    one.path = path.parent_path() / (path.stem().string() + "_" + name + path.extension().string());
+    films.push_back(std::move(one));
+  }
+  return films;
 }
 
 }  // namespace trocar::workbench

@@ -5,9 +5,12 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "engine/core/result.h"
 #include "engine/film/composition.h"
 #include "engine/scene/scene.h"
+#include "engine/workbench/project.h"
 
 namespace trocar::workbench {
 
@@ -35,5 +38,9 @@ FilmDraft without_source(FilmDraft draft);
 /// of one that was there already, and goes by keys from now on. Keys have the film's angle of view, not that of a
 /// preset. Precondition: there is a chosen source.
 FilmDraft with_key(FilmDraft draft, const scene::OrbitCamera& view);
+/// For each trial of the session a film like this one of one of them, in a file with its name: film.mp4 gives
+/// film_SC_1.mp4 and so on. What was excluded is left out. Errors: kInvalidArgument if the film is not of one trial, or
+/// is a row of pictures.
+Result<std::vector<film::Composition>> films_of_session(const Project& project, const film::Composition& film);
 
 }  // namespace trocar::workbench

@@ -67,6 +67,22 @@ class Films(CommandLineTest):
         self.refused("video", "render", project, job, "--out", project, code=USAGE)
         self.assertEqual(self.leftovers(), ["film.json", "recorded.trocar"])
 
+    def test_a_film_of_one_trial_stands_for_all_of_its_session(self):
+        project = self.recorded_project()
+        ran = ("trial", "run", project, "--mode", "MT", "--block", "0", "--time-limit", "1")
+        self.answer(*ran, "--transfers", "3", "--session", "one")
+        self.answer(*ran, "--session", "two")
+        self.answer("trial", "judge", project, "MT 2", "--exclude", "a rehearsal")
+        small = ("--size", "64x36", "--fps", "5", "--speed", "4")
+        made = self.answer("video", "render", project, "MT 1", *small, "--all-of-session", "--out", self.folder / "film.mp4")
+        self.assertEqual([film["out"] for film in made["films"]],
+                         [str(self.folder / name) for name in ("film_MT_1.mp4", "film_MT_3.mp4")])
+        for film in made["films"]:
+            self.assertGreater(film["frames"], 0)
+        self.assertEqual([name for name in self.leftovers() if name.endswith(".mp4")], ["film_MT_1.mp4", "film_MT_3.mp4"])
+        self.refused("video", "render", project, "Expert", *small, "--all-of-session", "--out", self.folder / "no.mp4",
+                     code=USAGE, saying="one of its trials")
+
     def test_an_odd_size_is_said(self):
         project = self.trimmed_project()
         done = trocar("video", "render", project, "1", "--size", "161x91", "--fps", "2", "--out", self.folder / "film.mp4")

@@ -162,6 +162,17 @@ void ExportPanel::draw_file(Ui& ui, const WorkbenchState& state, FilmDraft& draf
     requests.emplace_back(Command{workbench::RenderFilm{film}});
     page_ = kQueuePage;
   }
+  const auto films = workbench::films_of_session(*state.project, film);
+  if (button(ui, "Add all of its session",
+             {.icon = icon::kCopy,
+              .help = "A film like this one of each trial of the session, in a file of its name",
+              .reason = !why.empty() ? why
+                        : films      ? ""
+                                     : "Make it a film of one trial, and no row of pictures",
+              .width = -1.0F})) {
+    for (const film::Composition& one : *films) requests.emplace_back(Command{workbench::RenderFilm{one}});
+    page_ = kQueuePage;
+  }
   ImGui::Dummy({0.0F, ui.px(4)});
   draw_job(ui, state, draft, requests);
 }

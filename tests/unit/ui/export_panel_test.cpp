@@ -236,4 +236,31 @@ TEST_CASE("each page of Export is whole, named and large enough at every scale")
   }
 }
 
+TEST_CASE("a film of one trial is queued for all of its session") {
+  workbench::WorkbenchState made = testing::made_state_with_model();
+  auto project = std::make_shared<workbench::Project>(*made.project);
+  for (const std::int64_t id : {71, 72, 73}) {
+    auto trial = std::make_shared<workbench::TrialEntry>();
+    trial->id = {id};
+    trial->name = "MT " + std::to_string(id);
+    trial->record.session = id == 73 ? "other" : "this one";
+    trial->shown = project->demonstrations.begin()->second;
+    project->trials[trial->id] = trial;
+  }
+  made.project = project;
+  ExportDesk desk(made);
+  desk.click("Export/Sources/Add/Add source");
+  desk.click("Export/Page/File");
+  CHECK(desk.reason("Export/File/Add all of its session").find("one trial") != std::string::npos);
+  desk.state.film.film.sources[0].of = "MT 71";
+  desk.settle();
+  desk.click("Export/File/Add all of its session");
+  std::vector<std::string> files;
+  for (const workbench::Command& command : desk.commands) {
+    const auto* render = std::get_if<workbench::RenderFilm>(&command);
+    if (render != nullptr) files.push_back(std::filesystem::path(render->film.path).filename().string());
+  }
+  CHECK(files == std::vector<std::string>{"film_MT_71.mp4", "film_MT_72.mp4"});
+}
+
 }  // namespace trocar::ui
