@@ -289,7 +289,7 @@ std::string learning_text(const workbench::LearningSettings& settings, const Wor
 
 /// Of a person there is none: nobody sits at the command line. A console brings one transfer there, a whole protocol
 /// only to the window.
-std::string trials_text(const StartTrials& trials, const std::string& project) {
+std::string trials_text(const StartTrials& trials, const std::string& project, const Project& of) {
   if (trials.person || (trials.person_assists && !trials.console_port)) return "";
   if (trials.console_port && !trials.protocol.empty()) return "";
   const TrialPlan& plan = trials.plan;
@@ -310,6 +310,11 @@ std::string trials_text(const StartTrials& trials, const std::string& project) {
     text += fmt::format(" --skill {}", trial::to_string(options.skill));
   }
   text += fmt::format(" --seed {}", plan.seed);
+  for (const ModelId id : plan.models) {
+    const auto model = of.models.find(id);
+    if (model == of.models.end()) continue;
+    text += fmt::format(" --model-{} {}", model->second->segment == demonstration::Segment::kA ? "a" : "c", id.value);
+  }
   if (trials.from) {
     text += fmt::format(" --from-cell {},{},{}", trials.from->cell.x, trials.from->cell.y, trials.from->cell.z);
     if (trials.from->grid != 22) text += fmt::format(" --grid {}", trials.from->grid);
@@ -363,7 +368,7 @@ std::string command_text(const workbench::Command& command, const workbench::Wor
     return (open->create ? "trocar new " : "trocar-workbench ") + shell_word(open->path.string());
   }
   if (const auto* record = std::get_if<RecordScripted>(&command)) return record_text(*record, project);
-  if (const auto* trials = std::get_if<StartTrials>(&command)) return trials_text(*trials, project);
+  if (const auto* trials = std::get_if<StartTrials>(&command)) return trials_text(*trials, project, *state.project);
   if (const auto* out = std::get_if<ExportTrials>(&command)) {
     return fmt::format("trocar trial results {} {} {}", project,
                        out->path.extension() == ".html"  ? "--report"

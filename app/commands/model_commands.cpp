@@ -269,7 +269,7 @@ Json change(std::optional<int> a_or_none, std::optional<int> b_or_none) {
   }
   const int a = *a_or_none;
   const int b = *b_or_none;
-  return {{"a", a}, {"b", b}, {"change_percent", a == 0 ? Json() : Json(100.0 * (b - a) / a)}};
+  return {{"a", a}, {"b", b}, {"change", b - a}, {"change_percent", a == 0 ? Json() : Json(100.0 * (b - a) / a)}};
 }
 
 Json around_json(const learning::ModelComparison& compared) {

@@ -122,6 +122,10 @@ Result<Answer> run_seeds(const StudyArguments& arguments, Console& console) {
   answer.summary = fmt::format("{} seeds: within ±3 cells {} to {} arrive", result.seeds.size(),
                                statistics::share_text(least, 0), statistics::share_text(most, 0));
   answer.text = answer.summary;
+  if (!learning::is_sampled(subject.options.method)) answer.text += "; this method draws nothing, every seed is alike";
+  for (const std::string& path : {arguments.mean, arguments.spread, arguments.out}) {
+    if (!path.empty()) answer.text += "\nWrote " + path;
+  }
   return answer;
 }
 

@@ -3,10 +3,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "app/commands/rollout_commands.h"
 #include "app/lookup.h"
 #include "engine/learning/explanation.h"
+#include "engine/learning/field.h"
 #include "engine/learning/rollout.h"
 
 namespace trocar::app {
@@ -32,12 +34,18 @@ std::string action_words(std::uint8_t action) {
   return action == learning::kNoAction ? "none" : std::string(spatial::to_string(static_cast<spatial::Action>(action)));
 }
 
-/// The six Q values at a cell; null where the agent has no such move.
+/// What was learned of an action; nothing where it was never tried.
+std::optional<double> known_q(const learning::Model& model, spatial::CellIndex cell, int action) {
+  return learning::known_value(model, static_cast<learning::Layer>(static_cast<int>(learning::Layer::kQPlusX) + action),
+                               cell);
+}
+
+/// The six Q values at a cell; null where the agent knows none.
 Json q_json(const learning::Model& model, spatial::CellIndex cell) {
   Json values;
   for (int a = 0; a < spatial::kActionCount; ++a) {
-    const double q = model.q_at(cell, static_cast<spatial::Action>(a));
-    values[std::string(spatial::to_string(static_cast<spatial::Action>(a)))] = std::isfinite(q) ? Json(q) : Json();
+    const auto q = known_q(model, cell, a);
+    values[std::string(spatial::to_string(static_cast<spatial::Action>(a)))] = q ? Json(*q) : Json();
   }
   return values;
 }
@@ -45,9 +53,9 @@ Json q_json(const learning::Model& model, spatial::CellIndex cell) {
 std::string q_words(const learning::Model& model, spatial::CellIndex cell) {
   std::string words;
   for (int a = 0; a < spatial::kActionCount; ++a) {
-    const double q = model.q_at(cell, static_cast<spatial::Action>(a));
+    const auto q = known_q(model, cell, a);
     words += fmt::format("  {} {}", spatial::to_string(static_cast<spatial::Action>(a)),
-                         std::isfinite(q) ? fmt::format("{:.4g}", q) : "none");
+                         q ? fmt::format("{:.4g}", *q) : "unknown");
   }
   return words;
 }
@@ -80,15 +88,16 @@ Result<Answer> run_why(const WhyArguments& arguments, Console& console) {
                  {"steps", why.steps},
                  {"cycle", cells_json(model.grid, why.cycle)},
                  {"unexplored", cells_json(model.grid, why.unexplored)},
-                 {"margin", why.margin},
+                 {"margin", std::isfinite(why.margin) ? Json(why.margin) : Json()},
                  {"q", q_json(model, why.where)}};
   answer.summary =
       fmt::format("from {} it {} after {} steps", cell_words(model.grid, start),
                   arrives ? "arrives" : fmt::format("is lost ({})", learning::to_string(why.end)), why.steps);
   answer.text = answer.summary;
   if (arrives) return answer;
-  answer.text += fmt::format("\n  lost in {}: margin {:.4g},{}", cell_words(model.grid, why.where), why.margin,
-                             q_words(model, why.where));
+  answer.text +=
+      fmt::format("\n  lost in {}: margin {},{}", cell_words(model.grid, why.where),
+                  std::isfinite(why.margin) ? fmt::format("{:.4g}", why.margin) : "unknown", q_words(model, why.where));
   if (!why.cycle.empty()) {
     answer.text += fmt::format("\n  goes round {} cells:", why.cycle.size());
     for (const spatial::CellIndex cell : why.cycle) answer.text += "  " + cell_words(model.grid, cell);

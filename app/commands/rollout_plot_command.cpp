@@ -78,8 +78,10 @@ void bind_rollout_plot(CLI::App& verb, RolloutPlotArguments& arguments) {
 Status check_heeded_by(const RolloutPlotArguments& arguments, PlotKind kind) {
   for (const auto& [option, kinds] : arguments.of_kinds) {
     if (option->count() == 0 || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("{} says nothing to {}", option->get_name(), workbench::to_string(kind)));
+    return fail(
+        ErrorCode::kInvalidArgument,
+        fmt::format("{} is not for --kind {}{}", option->get_name(), workbench::to_string(kind),
+                    kind == PlotKind::kMap && option->get_name() == "--starts" ? ": a map shows all cells" : ""));
   }
   return {};
 }

@@ -138,13 +138,25 @@ Json json_of(const workbench::TrialEntry& trial) {
   return json;
 }
 
+namespace {
+
+/// Of a trial that began elsewhere than where the tool is ready.
+std::string begin_words(const trial::TrialRecord& record) {
+  if (!record.begin_p_W) return "";
+  const Eigen::Vector3d mm = 1e3 * *record.begin_p_W;
+  return fmt::format("  from {:.1f}, {:.1f}, {:.1f} mm", mm.x(), mm.y(), mm.z());
+}
+
+}  // namespace
+
 std::string row_of(const workbench::TrialEntry& trial) {
   const trial::TrialRecord& record = trial.record;
   const std::string time = record.completion_s ? fmt::format("{:.2f} s", *record.completion_s) : "–";
-  return fmt::format("{:>4}  {:<10} {:<9} block {}  {:<11} {:>9}  agent {:>3.0f} %  {}{}", trial.id.value, trial.name,
+  return fmt::format("{:>4}  {:<10} {:<9} block {}  {:<11} {:>9}  agent {:>3.0f} %  {}{}{}", trial.id.value, trial.name,
                      record.operator_kind + (record.skill.empty() ? "" : " " + record.skill), record.block,
                      demonstration::to_string(record.outcome), time, 100.0 * record.metrics.agent_share,
-                     record.placed ? "placed" : "not placed", trial.excluded ? "  excluded: " + trial.reason : "");
+                     record.placed ? "placed" : "not placed", begin_words(record),
+                     trial.excluded ? "  excluded: " + trial.reason : "");
 }
 
 namespace {

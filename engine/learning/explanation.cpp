@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/learning/policy.h"
 
@@ -16,9 +17,10 @@ double margin_at(const Model& model, CellIndex cell) {
   for (int a = 0; a < spatial::kActionCount; ++a) {
     if ((candidates >> a & 1U) != 0) q.push_back(model.q_at(cell, static_cast<spatial::Action>(a)));
   }
-  if (q.size() < 2) return 0.0;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (q.size() < 2) return kNone;
   std::partial_sort(q.begin(), q.begin() + 2, q.end(), std::greater<>());
-  return std::isfinite(q[1]) ? q[0] - q[1] : 0.0;
+  return std::isfinite(q[1]) ? q[0] - q[1] : kNone;
 }
 
 std::vector<CellIndex> unexplored_beside(const Model& model, const CellSequence& cells) {

@@ -15,7 +15,7 @@ struct Explanation {
   spatial::CellIndex where;                    ///< The last cell before it is lost: of a loop, the first of the cycle.
   CellSequence cycle;                          ///< Of a loop: its cells once round; else empty.
   std::vector<spatial::CellIndex> unexplored;  ///< Neighbours of `where` (or of the cycle) in which nothing was tried.
-  double margin = 0.0;  ///< Q of the best action less that of the second, at `where`; 0 if there are not two.
+  double margin = 0.0;  ///< Q of the best action less that of the second, at `where`; NaN if there are not two.
   int steps = 0;        ///< From the start to `where`.
 };
 Explanation explain(const Model& model, const std::vector<std::uint8_t>& policy, spatial::CellIndex start);

@@ -54,10 +54,28 @@ std::vector<double> rewards(const Model& model, const std::vector<double>& exper
   return values;
 }
 
+/// Of a method that samples, V is the Q of the best action. Where that one was never tried it is what Q began with: the
+/// agent hopes there, and knows nothing.
+bool hopes(const Model& model, std::size_t s) {
+  if (!is_sampled(model.options.method) || static_cast<std::int32_t>(s) == model.goal.value) return false;
+  double untried = -std::numeric_limits<double>::infinity();
+  double tried = untried;
+  for (std::size_t a = 0; a < kActionCount; ++a) {
+    double& best = (model.tried[s] >> a & 1) != 0 ? tried : untried;
+    const double q = model.q[s * kActionCount + a];
+    if (std::isfinite(q)) best = std::max(best, q);
+  }
+  return untried > tried && untried == model.value[s];
+}
+
+bool value_is_known(const Model& model, std::size_t s) {
+  return known(model, s) && std::isfinite(model.value[s]) && !hopes(model, s);
+}
+
 std::vector<double> state_values(const Model& model) {
   std::vector<double> values(model.value.size(), kUnknown);
   for (std::size_t s = 0; s < values.size(); ++s) {
-    if (known(model, s) && std::isfinite(model.value[s])) values[s] = model.value[s];
+    if (value_is_known(model, s)) values[s] = model.value[s];
   }
   return values;
 }
@@ -273,7 +291,7 @@ std::optional<double> known_value(const Model& model, Layer layer, spatial::Cell
     const bool there = known(model, s) || std::any_of(model.experts.begin(), model.experts.end(), shown);
     return there ? finite(model.theta[s]) : std::nullopt;
   }
-  if (layer == Layer::kValue) return known(model, s) ? finite(model.value[s]) : std::nullopt;
+  if (layer == Layer::kValue) return value_is_known(model, s) ? finite(model.value[s]) : std::nullopt;
   TROCAR_CHECK(layer >= Layer::kQPlusX && layer <= Layer::kQMinusZ);
   return of_action(static_cast<std::size_t>(layer) - static_cast<std::size_t>(Layer::kQPlusX));
 }

@@ -279,8 +279,8 @@ class Rollouts(CommandLineTest):
         self.assertNotEqual(drawn(kind="boxes"), drawn("--measure", "steps,length", kind="boxes"))
 
     def test_what_would_be_ignored_or_is_unknown_is_refused(self):
-        for extra, kind, out, saying in ((["--measure", "steps"], "axes", "a.pdf", "--measure says nothing to axes"),
-                                         (["--starts", "all"], "map", "a.pdf", "--starts says nothing to map"),
+        for extra, kind, out, saying in ((["--measure", "steps"], "axes", "a.pdf", "--measure is not for --kind axes"),
+                                         (["--starts", "all"], "map", "a.pdf", "--starts is not for --kind map"),
                                          (["--measure", "end"], "boxes", "a.pdf", "no box is drawn of end"),
                                          (["--measure", "speed"], "boxes", "a.pdf", "is no measure of a rollout"),
                                          (["--keep", "steps"], "axes", "a.pdf", "is no range of a measure"),

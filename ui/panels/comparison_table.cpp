@@ -34,6 +34,11 @@ Row numbers(std::string name, double a, double b) {
   return {std::move(name), number(a), number(b), change_of(a, b)};
 }
 
+/// Of what may be negative: a share of it would tell the wrong way.
+Row signed_numbers(std::string name, double a, double b) {
+  return {std::move(name), number(a), number(b), b > a ? "+" + number(b - a) : number(b - a)};
+}
+
 Row shares(std::string name, int a, int of_a, int b, int of_b) {
   const double points = of_a == 0 || of_b == 0 ? NAN : 100.0 * b / of_b - 100.0 * a / of_a;
   const std::string change = std::isfinite(points) ? statistics::points_text(0.01 * points, 1) + " points" : "\u2013";
@@ -65,8 +70,8 @@ std::vector<Row> rows_of(const workbench::ModelInsight& insight) {
                                tried(model_b, c.b.exploration.partly_explored)),
                         counts("Not explored", tried(model_a, c.a.exploration.fully_unexplored),
                                tried(model_b, c.b.exploration.fully_unexplored)),
-                        numbers("Mean reward θ", c.a.mean_reward, c.b.mean_reward),
-                        numbers("Least reward θ", c.a.least_reward, c.b.least_reward),
+                        signed_numbers("Mean reward θ", c.a.mean_reward, c.b.mean_reward),
+                        signed_numbers("Least reward θ", c.a.least_reward, c.b.least_reward),
                         numbers("Mean margin", c.a.mean_margin, c.b.mean_margin),
                         numbers("Mismatch", c.a.mismatch, c.b.mismatch),
                         shares("Arrive, all cells", c.a.all.arrived, c.a.all.count, c.b.all.arrived, c.b.all.count)};

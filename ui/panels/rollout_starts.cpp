@@ -178,6 +178,9 @@ void RolloutStarts::draw(Ui& ui, const WorkbenchState& state, Requests& requests
   if (painted && !state.rollouts.starts.starts_with("cells:")) {
     wrapped_text(ui, "Choose Paint below the map of outcomes, and paint cells with the mouse", ui.theme().text_dim);
   }
+  if (static_cast<Kind>(kind_) == Kind::kFile && file_.empty()) {
+    wrapped_text(ui, "Type a file; until then the starts are those from before", ui.theme().text_dim);
+  }
   if (changed && !painted && !to_name) choose_starts(state, text(most), requests);
   if (!state.insight->starts_error.empty()) wrapped_text(ui, state.insight->starts_error, ui.theme().danger);
 }

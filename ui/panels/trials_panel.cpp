@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/control/delay_model.h"
+#include "engine/workbench/jobs/trial_job.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/authority_band.h"
@@ -48,6 +49,7 @@ void text_setting(Ui& ui, std::string_view shown, std::string_view name, std::st
 workbench::StartTrials TrialsPanel::request(const WorkbenchState& state) const {
   workbench::StartTrials start;
   start.from = state.trial_start;
+  if (start.from && state.project->models.count(start_model_) != 0) start.plan.models = {start_model_};
   workbench::TrialPlan& plan = start.plan;
   plan.options.mode = mode_ == 0 ? Mode::kManual : Mode::kShared;
   plan.options.skill = static_cast<trial::Skill>(skill_);
@@ -71,6 +73,21 @@ workbench::StartTrials TrialsPanel::request(const WorkbenchState& state) const {
   return start;
 }
 
+void TrialsPanel::take_start(const WorkbenchState& state) {
+  if (start_ == state.trial_start) return;
+  start_ = state.trial_start;
+  start_model_ = {};
+  const auto model = start_ ? selected_model(state) : nullptr;
+  if (model == nullptr) return;
+  start_model_ = model->id;
+  protocol_ = 0;
+  transfers_ = 1;
+  in_turn_ = false;
+  if (model->demonstrations.empty()) return;
+  const auto shown = state.project->demonstrations.find(model->demonstrations.front());
+  if (shown != state.project->demonstrations.end()) block_ = std::max(shown->second->block, 0);
+}
+
 std::string TrialsPanel::reason(const WorkbenchState& state) const {
   if (std::string why = command("trials.start").reason_now(state); !why.empty()) return why;
   if (const auto delay = control::delay_from(delay_); !delay) return delay.error().text();
@@ -79,7 +96,11 @@ std::string TrialsPanel::reason(const WorkbenchState& state) const {
   const bool any = std::any_of(state.project->models.begin(), state.project->models.end(), [](const auto& each) {
     return each.second->segment == demonstration::Segment::kA || each.second->segment == demonstration::Segment::kC;
   });
-  return shared && !any ? "Shared control needs a model: train one of segment A or C" : "";
+  if (shared && !any) return "Shared control needs a model: train one of segment A or C";
+  const workbench::StartTrials asked = request(state);
+  if (protocol_ != 0) return "";
+  const Status can = workbench::check_blocks(*state.project, asked.plan, asked.plan.transfers);
+  return can ? "" : can.error().text();
 }
 
 void TrialsPanel::draw_who(Ui& ui, const WorkbenchState& state) {
@@ -145,6 +166,9 @@ void TrialsPanel::draw_how(Ui& ui, const WorkbenchState& state, Requests& reques
   if (state.trial_start) {
     const spatial::CellCoordinates& c = state.trial_start->cell;
     fact(ui, "Tool begins in", fmt::format("cell {}, {}, {}", c.x, c.y, c.z));
+    if (const auto model = state.project->models.find(start_model_); model != state.project->models.end()) {
+      fact(ui, "Agent in A", model->second->name);
+    }
     if (button(ui, "Begin where it is ready",
                {.icon = icon::kCross,
                 .help = "Forget the start that came from a rollout",
@@ -169,6 +193,7 @@ void TrialsPanel::draw_how(Ui& ui, const WorkbenchState& state, Requests& reques
 
 void TrialsPanel::draw_setup(Ui& ui, const WorkbenchState& state, Requests& requests) {
   const Scope scope(ui, "Setup");
+  take_start(state);
   if (anybody() && !looked_) requests.emplace_back(Command{workbench::FindDevices{}});
   looked_ = anybody();
   static const std::vector<std::string> kModes{"MT  manual", "SC  shared"};

@@ -17,6 +17,8 @@ class TrialsPanel final : public Panel {
  private:
   void draw_setup(Ui& ui, const WorkbenchState& state, Requests& requests);
   void draw_who(Ui& ui, const WorkbenchState& state);
+  /// A start of a rollout is one transfer of the block and by the model that it is of.
+  void take_start(const WorkbenchState& state);
   void draw_devices(Ui& ui, const WorkbenchState& state);
   /// Somebody moves an arm who is no script.
   bool anybody() const { return operator_ != 0 || assistant_ != 0; }
@@ -30,6 +32,8 @@ class TrialsPanel final : public Panel {
   std::string reason(const WorkbenchState& state) const;
 
   int page_ = 0;
+  std::optional<workbench::FromCell> start_;
+  workbench::ModelId start_model_;  ///< Whose rollout began there.
   int protocol_ = 0;
   std::string protocol_file_;
   int mode_ = 1;

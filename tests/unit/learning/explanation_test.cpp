@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/learning/policy.h"
 #include "tests/support/lattice_demonstrations.h"
@@ -51,7 +52,7 @@ TEST_CASE("where nothing is known the agent is lost where it stands, and an arri
   CHECK(corner.end == RolloutEnd::kOutsideSafeSet);
   CHECK(corner.where.value == 0);
   CHECK(corner.steps == 0);
-  CHECK(corner.margin == 0.0);
+  CHECK(std::isnan(corner.margin));
   const Model exact = explained(Method::kExact);
   const Explanation fine = explain(exact, greedy_policy(exact), {0});
   CHECK(fine.end == RolloutEnd::kArrives);

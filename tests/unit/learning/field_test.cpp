@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/learning/rollout.h"
 #include "tests/support/lattice_demonstrations.h"
@@ -21,6 +23,25 @@ Model trained(Method method) {
 }
 
 }  // namespace
+
+TEST_CASE("the value of a cell is shown where an action that was tried has it, and not where the agent only hopes") {
+  const Model model = trained(Method::kEgMaxent);
+  const Field value = field(model, Layer::kValue);
+  int hoped = 0;
+  for (std::size_t s = 0; s < value.values.size(); ++s) {
+    if (static_cast<std::int32_t>(s) == model.goal.value) continue;
+    double best = -std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < spatial::kActionCount; ++a) {
+      if ((model.tried[s] >> a & 1) != 0) best = std::max(best, model.q[s * spatial::kActionCount + a]);
+    }
+    const bool known = std::isfinite(value.values[s]);
+    CHECK(known == known_value(model, Layer::kValue, spatial::CellIndex{static_cast<std::int32_t>(s)}).has_value());
+    if (known) CHECK(value.values[s] == best);
+    hoped += !known && model.tried[s] != 0 ? 1 : 0;
+  }
+  CHECK(hoped > 0);
+  CHECK(value.values[static_cast<std::size_t>(model.goal.value)] == 0.0);
+}
 
 TEST_CASE("every layer of every method has one value for each cell, a title, and names where it is categorical") {
   for (const Method method : {Method::kEgMaxent, Method::kEgMaxentPlus, Method::kExact}) {
