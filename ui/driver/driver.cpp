@@ -63,7 +63,8 @@ Result<Item> Driver::bring_into_sight(std::string_view path) {
   for (int turn = 0; turn < kMostTurns; ++turn) {
     TROCAR_ASSIGN_OR_RETURN(const Item found, item(path));
     if (found.reachable()) return found;
-    TROCAR_RETURN_IF_ERROR(move(found.clip.centre_x(), found.clip.centre_y()));
+    // At the edge: in the middle the wheel may be a map's, which steps through slices and does not scroll.
+    TROCAR_RETURN_IF_ERROR(move(found.clip.x0 + 4.0F, found.clip.centre_y()));
     session_.window().input().push(MouseWheel{0.0F, found.rect.centre_y() < found.clip.y0 ? 1.0F : -1.0F});
     TROCAR_RETURN_IF_ERROR(frames(2));
   }

@@ -61,6 +61,10 @@ TEST_CASE("what is set is what is asked for, and is a command line") {
   CHECK(text_of(desk.driver().type("Trials/Setup/Seed", "7")) == "");
   CHECK(text_of(desk.driver().type("Trials/Setup/Delay", "ar1:20:5")) == "");
   CHECK(desk.driver().frames(2));
+  // The only model was learned at block 0.
+  CHECK(desk.driver().item("Trials/Setup/Start")->reason.find("no model serves block 1") != std::string::npos);
+  CHECK(text_of(desk.driver().click("Trials/Setup/Blocks in turn")) == "");
+  CHECK(desk.driver().frames(2));
   CHECK(text_of(desk.driver().click("Trials/Setup/Start")) == "");
   const auto* start = desk.last<workbench::StartTrials>();
   REQUIRE(start != nullptr);
