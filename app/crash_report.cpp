@@ -16,7 +16,7 @@ constexpr bool kSanitized = true;
 constexpr bool kSanitized = false;
 #endif
 
-const char* name = "trocar";
+const char* program_name = "trocar";
 // A stack that overflowed leaves no room for the handler.
 alignas(16) std::array<char, 65536> handler_stack;
 
@@ -41,7 +41,7 @@ const char* signal_name(int signal) {
 }
 
 void on_crash(int signal) {
-  say(name);
+  say(program_name);
   say(": crashed (");
   say(signal_name(signal));
   say("); what was done up to here is in the project. Please report these lines:\n");
@@ -56,7 +56,7 @@ void on_crash(int signal) {
 
 void report_crashes(const char* program) {
   if (kSanitized) return;
-  name = program;
+  program_name = program;
   // The first call loads a library, which a handler must not.
   std::array<void*, 1> here;
   backtrace(here.data(), 1);

@@ -54,7 +54,7 @@ std::size_t unlikeness(const std::string& wrong, const std::string& name) {
   return slips <= allowed ? 1 + slips : kUnlike;
 }
 
-const std::string& shown(const Known& known) {
+const std::string& shown_name(const Known& known) {
   return known.shown.empty() ? known.name : known.shown;
 }
 
@@ -62,7 +62,7 @@ std::string joined(std::span<const Known> list, std::string_view last) {
   std::string text;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (i > 0) text += i + 1 == list.size() ? last : ", ";
-    text += shown(list[i]);
+    text += shown_name(list[i]);
   }
   return text;
 }
@@ -85,7 +85,7 @@ std::string did_you_mean(std::string_view wrong, const std::vector<Known>& known
 
 std::string there_are(const std::vector<Known>& known) {
   if (known.empty()) return "; there is none";
-  if (known.size() == 1) return "; there is " + shown(known.front());
+  if (known.size() == 1) return "; there is " + shown_name(known.front());
   if (known.size() <= kMostListed) return "; there are " + joined(known, " and ");
   const std::span<const Known> first(known.data(), kMostListed);
   return fmt::format("; there are {} and {} more", joined(first, ", "), known.size() - kMostListed);

@@ -12,8 +12,9 @@ using State = WorkbenchState;
 std::string cannot_add_key(const State& state) {
   const FilmDraft& draft = state.film;
   if (draft.source >= draft.film.sources.size()) return "The film has no source yet";
-  const bool scene = draft.film.sources[draft.source].kind == film::SourceKind::kRecording;
-  return scene ? "" : "Only a recording has a camera";
+  const film::SourceKind kind = draft.film.sources[draft.source].kind;
+  const bool scene = kind == film::SourceKind::kRecording || kind == film::SourceKind::kRollout;
+  return scene ? "" : "Only a recording or a rollout has a camera";
 }
 
 Requests add_key(const State& state) {

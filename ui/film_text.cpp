@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "engine/film/composition_words.h"
 #include "ui/command_text.h"
@@ -15,22 +16,28 @@ namespace {
 using film::Composition;
 using film::Source;
 
-/// The command line films recordings, all of them by one camera that has no numbers of its own.
+/// The command line films recordings and after them rollouts, all by one camera that has no numbers of its own.
 bool words_say(const Composition& film) {
   if (film.sources.empty()) return false;
   const film::View view = film.sources.front().camera.view;
   const bool plain = std::all_of(film.sources.begin(), film.sources.end(), [view](const Source& source) {
     Source same = film::recording_of(source.of);
     same.camera.view = view;
+    if (source.kind == film::SourceKind::kRollout) {
+      same.kind = source.kind;
+      same.start = source.start;
+    }
     return source == same;
   });
+  const auto is_rollout = [](const Source& source) { return source.kind == film::SourceKind::kRollout; };
+  if (!std::is_partitioned(film.sources.begin(), film.sources.end(), std::not_fn(is_rollout))) return false;
   if (!plain || view == film::View::kPoses) return false;
   if (film::layout_for(film.layout, film.sources.size()) != film.layout) return false;
   const Composition usual;
   film::Pace pace;
   pace.speed = film.pace.speed;
   pace.sync = film.pace.sync;
-  return film.pace == pace && film.corner == usual.corner && film.share == usual.share;
+  return film.pace == pace && film.corner == usual.corner && film.share == usual.share && film.share_keys.empty();
 }
 
 std::string overlay_words(const film::Overlays& overlays) {
@@ -52,7 +59,10 @@ std::string film_text(const Composition& film, const workbench::WorkbenchState& 
   }
   if (!words_say(film)) return "";
   std::string text = begin;
-  for (const Source& source : film.sources) text += " " + shell_word(source.of);
+  for (const Source& source : film.sources) {
+    const std::string start = source.start ? fmt::format("@{}", fmt::join(*source.start, ",")) : "";
+    text += (source.kind == film::SourceKind::kRollout ? " --rollout " : " ") + shell_word(source.of + start);
+  }
   text += fmt::format(" --out {} --size {}x{} --fps {:g} --layout {}", shell_word(film.path), film.width, film.height,
                       film.fps, film::word_of(film::kLayouts, film.layout));
   const Composition usual;

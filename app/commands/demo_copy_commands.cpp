@@ -19,19 +19,19 @@ struct CopyArguments {
   std::uint64_t seed = 1;
 };
 
-void bind_target(CLI::App& verb, CopyArguments& arguments) {
+void bind_copy_target(CLI::App& verb, CopyArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("DEMO", arguments.demonstration, "Its id or name")->required();
 }
 
 void bind_split(CLI::App& verb, CopyArguments& arguments) {
-  bind_target(verb, arguments);
+  bind_copy_target(verb, arguments);
   verb.add_option("--at", arguments.at_s, "Where the first ends and the second begins, s")->required();
   verb.add_option("--name", arguments.name, "Name of the second (else numbered)");
 }
 
 void bind_copy(CLI::App& verb, CopyArguments& arguments) {
-  bind_target(verb, arguments);
+  bind_copy_target(verb, arguments);
   verb.add_option("--name", arguments.name, "Name (else numbered); several copies are numbered");
   verb.add_option("--copies", arguments.copies, "How many")->check(CLI::Range(1, 1000))->capture_default_str();
   verb.add_option("--perturb-mm", arguments.perturb_mm, "Smooth noise on each copy: standard deviation, mm")

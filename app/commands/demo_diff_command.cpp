@@ -65,7 +65,7 @@ Json side_json(double duration_s, const std::array<double, 2>& path_m, const Mea
   return {{"duration_s", duration_s}, {"path_length_m", path_m}, {"mean_raw_jerk_m_s3", std::move(jerks)}};
 }
 
-Json json_of(const Comparison& comparison, const DiffArguments& arguments, std::int64_t id) {
+Json comparison_json(const Comparison& comparison, const DiffArguments& arguments, std::int64_t id) {
   const demonstration::Difference& difference = comparison.difference;
   return {{"id", id},
           {"against", arguments.against},
@@ -122,7 +122,7 @@ Result<Answer> run_diff(const DiffArguments& arguments, Console& console) {
   }
   const demonstration::Difference& difference = comparison.difference;
   Answer answer;
-  answer.json = json_of(comparison, arguments, after->id.value);
+  answer.json = comparison_json(comparison, arguments, after->id.value);
   answer.summary =
       fmt::format("{:+.2f} s, {} samples removed, {} added, {} moved (at most {:.2f} mm)", difference.duration_change_s,
                   difference.removed, difference.added, difference.moved, to_mm(difference.max_deviation_m));

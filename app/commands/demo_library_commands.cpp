@@ -36,7 +36,7 @@ void bind_list(CLI::App& verb, ListArguments& arguments) {
   verb.add_flag("--measures", arguments.measures, "Say also what takes time to work out");
 }
 
-Json cell_json(const LibraryCell& cell) {
+Json column_json(const LibraryCell& cell) {
   if (cell.kind == LibraryCell::Kind::kNumber) return cell.number;
   return cell.kind == LibraryCell::Kind::kText ? Json(cell.text) : Json();
 }
@@ -53,10 +53,10 @@ Json row_json(const LibraryRow& row, const demonstration::Demonstration& documen
   json["duplicate_of"] = row.duplicate == workbench::DemonstrationId{} ? Json() : Json(row.duplicate.value);
   json["models"] = row.models;
   json["models_stale"] = row.models_stale;
-  json["replay"] = cell_json(workbench::find_library_column("replay")->cell(row));
+  json["replay"] = column_json(workbench::find_library_column("replay")->cell(row));
   if (!row.measures) return json;
   const workbench::Measures& measures = *row.measures;
-  json["arms"] = cell_json(workbench::find_library_column("arms")->cell(row));
+  json["arms"] = column_json(workbench::find_library_column("arms")->cell(row));
   json["path_lengths_m"] = measures.path_length_m;
   const auto told = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
   json["mean_smoothed_jerk_m_s3"] = told(measures.mean_jerk_m_s3);

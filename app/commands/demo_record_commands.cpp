@@ -4,9 +4,9 @@
 #include <map>
 
 #include "app/commands/demo_commands.h"
-#include "app/commands/rollout_commands.h"
 #include "engine/core/file.h"
 #include "engine/demonstration/edit_fields.h"
+#include "engine/spatial/cell_text.h"
 #include "engine/trial/key_script.h"
 #include "engine/trial/transfer_session.h"
 #include "engine/workbench/jobs/record_job.h"
@@ -157,7 +157,7 @@ Result<workbench::RecordByHand> take_of(const RecordArguments& arguments, const 
     return fail(ErrorCode::kInvalidArgument, "--from-segment goes with --from-cell");
   }
   if (!arguments.from_cell.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(const spatial::CellCoordinates cell, coordinates_from(arguments.from_cell));
+    TROCAR_ASSIGN_OR_RETURN(const spatial::CellCoordinates cell, spatial::coordinates_from(arguments.from_cell));
     request.from = workbench::FromCell{cell, arguments.grid, segment};
   }
   if (punches) request.punch = workbench::TimeSpan{arguments.from_s, arguments.to_s};

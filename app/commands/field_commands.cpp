@@ -12,7 +12,7 @@
 namespace trocar::app {
 namespace {
 
-struct ExportArguments {
+struct ExportFieldArguments {
   std::string project;
   std::string model;
   std::string layer = "reward";
@@ -35,7 +35,7 @@ struct ExportArguments {
   std::vector<const CLI::Option*> of_pictures;  ///< What says how a picture looks, and numbers cannot heed.
 };
 
-void bind_export(CLI::App& verb, ExportArguments& arguments) {
+void bind_field_export(CLI::App& verb, ExportFieldArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("MODEL", arguments.model, "Id or name")->required();
   std::string layers;
@@ -81,7 +81,7 @@ void bind_export(CLI::App& verb, ExportArguments& arguments) {
 }
 
 /// Errors: kInvalidArgument for an option that would be ignored.
-Status check_heeded(const ExportArguments& arguments) {
+Status check_heeded(const ExportFieldArguments& arguments) {
   const std::filesystem::path out = arguments.out;
   if (workbench::is_drawn(out)) return check_dpi(arguments.dpi, out);
   for (const CLI::Option* option : arguments.of_pictures) {
@@ -106,7 +106,7 @@ std::string contents(const learning::Field& field) {
   return text;
 }
 
-Result<workbench::FieldExport> request_of(const ExportArguments& arguments) {
+Result<workbench::FieldExport> request_of(const ExportFieldArguments& arguments) {
   workbench::FieldExport request;
   TROCAR_ASSIGN_OR_RETURN(request.layer, learning::layer_from(arguments.layer));
   TROCAR_ASSIGN_OR_RETURN(request.mask, learning::field_mask_from(arguments.mask));
@@ -135,7 +135,7 @@ Result<workbench::FieldExport> request_of(const ExportArguments& arguments) {
   return request;
 }
 
-Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
+Result<Answer> run_field_export(const ExportFieldArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(
       check_output(arguments.out, arguments.project, {".png", ".svg", ".pdf", ".csv", ".npy", ".vti", ".h5", ".hdf5"}));
   TROCAR_RETURN_IF_ERROR(check_heeded(arguments));
@@ -168,8 +168,8 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
 
 void add_field_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun = *root.add_subcommand("field", "Reward, value, Q, visits … over the lattice")->require_subcommand(1);
-  add_verb<ExportArguments>(noun, chosen, "export", "Write one layer as a figure or as numbers", bind_export,
-                            run_export);
+  add_verb<ExportFieldArguments>(noun, chosen, "export", "Write one layer as a figure or as numbers", bind_field_export,
+                                 run_field_export);
 }
 
 }  // namespace trocar::app

@@ -8,6 +8,7 @@
 #include "engine/core/file.h"
 #include "engine/film/composition_json.h"
 #include "engine/film/composition_words.h"
+#include "engine/spatial/cell_text.h"
 
 namespace trocar::app {
 namespace {
@@ -47,6 +48,20 @@ Result<film::Overlays> overlays_from(const std::string& text) {
   return overlays;
 }
 
+/// "A exact@3,4,5".
+film::Source rollout_from(const std::string& text) {
+  film::Source source = film::recording_of(text);
+  source.kind = film::SourceKind::kRollout;
+  const std::size_t at = text.rfind('@');
+  if (at == std::string::npos) return source;
+  const auto cell = spatial::coordinates_from(std::string_view(text).substr(at + 1));
+  // A name may have an @ of its own.
+  if (!cell) return source;
+  source.of = text.substr(0, at);
+  source.start = {cell->x, cell->y, cell->z};
+  return source;
+}
+
 Status apply(const FilmArguments& arguments, film::Composition& film) {
   if (arguments.size) {
     TROCAR_ASSIGN_OR_RETURN(const auto size, size_from(*arguments.size));
@@ -68,9 +83,10 @@ Status apply(const FilmArguments& arguments, film::Composition& film) {
 }  // namespace
 
 void bind_film(CLI::App& verb, FilmArguments& arguments) {
-  verb.add_option("DEMO", arguments.sources, "Demonstrations or trials, up to nine; or a job: F.json")
-      ->required()
-      ->expected(1, 9);
+  verb.add_option("DEMO", arguments.sources, "Demonstrations or trials, up to nine; or a job: F.json")->expected(1, 9);
+  verb.add_option("--rollout", arguments.rollouts,
+                  "MODEL or MODEL@I,J,K, more than once: what a model does in the simulator from a cell, or from where "
+                  "its first expert began; after the demonstrations");
   std::vector<std::string> presets;
   for (const std::string_view name : film::preset_names()) presets.emplace_back(name);
   verb.add_option("--preset", arguments.preset, "What the other options begin from")->check(CLI::IsMember(presets));
@@ -98,6 +114,9 @@ Result<film::Composition> film_from(const FilmArguments& arguments) {
   film::Composition film;
   if (is_film_job(arguments)) {
     if (arguments.preset) return fail(ErrorCode::kInvalidArgument, "a job has no preset: it says all itself");
+    if (!arguments.rollouts.empty()) {
+      return fail(ErrorCode::kInvalidArgument, "a job lists its rollouts itself: --rollout is not for it");
+    }
     TROCAR_ASSIGN_OR_RETURN(const std::string text, read_file(arguments.sources[0], kLargestJob_bytes));
     Result<film::Composition> job = film::composition_from_json(text);
     if (!job) return tl::unexpected(std::move(job).error().at(arguments.sources[0]));
@@ -106,8 +125,12 @@ Result<film::Composition> film_from(const FilmArguments& arguments) {
     if (arguments.preset) {
       TROCAR_ASSIGN_OR_RETURN(film, film::preset_from(*arguments.preset));
     }
-    film.layout = film::layout_for(film.layout, arguments.sources.size());
     for (const std::string& text : arguments.sources) film.sources.push_back(film::recording_of(text));
+    for (const std::string& text : arguments.rollouts) film.sources.push_back(rollout_from(text));
+    if (film.sources.empty()) {
+      return fail(ErrorCode::kInvalidArgument, "what is filmed: say a demonstration, a trial, a --rollout or a job");
+    }
+    film.layout = film::layout_for(film.layout, film.sources.size());
   }
   TROCAR_RETURN_IF_ERROR(apply(arguments, film));
   if (arguments.camera) {

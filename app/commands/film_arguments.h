@@ -12,7 +12,8 @@
 namespace trocar::app {
 
 struct FilmArguments {
-  std::vector<std::string> sources;  ///< Demonstrations and trials, or the one job.
+  std::vector<std::string> sources;   ///< Demonstrations and trials, or the one job.
+  std::vector<std::string> rollouts;  ///< "MODEL" or "MODEL@I,J,K".
   std::optional<std::string> preset;
   std::optional<double> fps;
   std::optional<double> speed;

@@ -108,7 +108,7 @@ Json full_json(const workbench::Project& project, const workbench::ModelEntry& e
   return json;
 }
 
-std::string line_of(const Json& json) {
+std::string model_line(const Json& json) {
   const std::string time = json["method"] == "imported" ? "" : fmt::format(", {:.3f} s", json["seconds"].get<double>());
   return fmt::format("{}: {}, {} from the start{}", json["name"].get<std::string>(), learned_text(json),
                      json["arrival_from_start"].get<bool>() ? "arrives" : "does not arrive", time);
@@ -127,12 +127,12 @@ Result<Answer> run_train(const TrainModelArguments& arguments, Console& console)
   Answer answer;
   answer.json = full_json(*file.project(), entry);
   answer.json["seconds"] = trained.model->seconds;
-  answer.summary = line_of(answer.json);
+  answer.summary = model_line(answer.json);
   answer.text = fmt::format("Model {}, {}", id, answer.summary);
   return answer;
 }
 
-struct ImportArguments {
+struct ImportModelArguments {
   std::string project;
   workbench::ImportTable table;
   std::string file;
@@ -141,7 +141,7 @@ struct ImportArguments {
   std::string segment = "A";
 };
 
-void bind_import(CLI::App& verb, ImportArguments& arguments) {
+void bind_model_import(CLI::App& verb, ImportModelArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("FILE", arguments.file,
                   "F.npy of n×n×n×6 or n³×6 (θ: n×n×n or n³), or F.csv with a header i,j,k,+x,-x,+y,-y,+z,-z (θ: "
@@ -162,7 +162,7 @@ void bind_import(CLI::App& verb, ImportArguments& arguments) {
   verb.add_option("--name", arguments.table.name, "Name of the model (else that of the file)");
 }
 
-Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
+Result<Answer> run_model_import(const ImportModelArguments& arguments, Console& console) {
   workbench::ImportTable request = arguments.table;
   request.path = arguments.file;
   TROCAR_ASSIGN_OR_RETURN(request.kind, learning::table_kind_from(arguments.kind));
@@ -178,7 +178,7 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const std::int64_t id, file.add_model(imported, console.progress()));
   Answer answer;
   answer.json = full_json(*file.project(), *file.project()->models.at(workbench::ModelId{id}));
-  answer.summary = line_of(answer.json);
+  answer.summary = model_line(answer.json);
   const std::vector<double>& numbers =
       request.kind == learning::TableKind::kQ ? imported.model->q : imported.model->theta;
   const auto known = std::count_if(numbers.begin(), numbers.end(), [](double value) { return std::isfinite(value); });
@@ -188,14 +188,14 @@ Result<Answer> run_import(const ImportArguments& arguments, Console& console) {
   return answer;
 }
 
-struct ExportArguments {
+struct ExportModelArguments {
   std::string project;
   std::string model;
   std::string kind = "q";
   std::string out;
 };
 
-Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
+Result<Answer> run_model_export(const ExportModelArguments& arguments, Console& console) {
   TROCAR_RETURN_IF_ERROR(check_output(arguments.out, arguments.project, {".npy", ".csv"}));
   TROCAR_ASSIGN_OR_RETURN(const learning::TableKind kind, learning::table_kind_from(arguments.kind));
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
@@ -217,11 +217,11 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   return answer;
 }
 
-struct ListArguments {
+struct ListModelsArguments {
   std::string project;
 };
 
-Result<Answer> run_list(const ListArguments& arguments, Console& console) {
+Result<Answer> run_list_models(const ListModelsArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   Answer answer;
   answer.json = {{"models", Json::array()}};
@@ -237,24 +237,24 @@ Result<Answer> run_list(const ListArguments& arguments, Console& console) {
   return answer;
 }
 
-struct ShowArguments {
+struct ShowModelArguments {
   std::string project;
   std::string model;
 };
 
-Result<Answer> run_show(const ShowArguments& arguments, Console& console) {
+Result<Answer> run_show_model(const ShowModelArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry, find_model(*file.project(), arguments.model));
   Answer answer;
   answer.json = full_json(*file.project(), *entry);
-  answer.summary = line_of(answer.json);
+  answer.summary = model_line(answer.json);
   for (const auto& [key, value] : answer.json.items()) {
     answer.text += fmt::format("{}{:<20} {}", answer.text.empty() ? "" : "\n", key, shown(value));
   }
   return answer;
 }
 
-struct CompareArguments {
+struct CompareModelsArguments {
   std::string project;
   std::string model_a;
   std::string model_b;
@@ -287,7 +287,7 @@ Json around_json(const learning::ModelComparison& compared) {
   return rows;
 }
 
-Result<Answer> run_compare(const CompareArguments& arguments, Console& console) {
+Result<Answer> run_compare_models(const CompareModelsArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto entry_a, find_model(*file.project(), arguments.model_a));
   TROCAR_ASSIGN_OR_RETURN(const auto entry_b, find_model(*file.project(), arguments.model_b));
@@ -348,38 +348,40 @@ void add_model_commands(CLI::App& root, Action& chosen) {
       *root.add_subcommand("model", "Train or import models, list and compare them")->require_subcommand(1);
   add_verb<TrainModelArguments>(noun, chosen, "train", "Learn reward and policy from demonstrations", bind_train,
                                 run_train);
-  add_verb<ImportArguments>(noun, chosen, "import",
-                            "Make a model of a Q-table or of rewards θ that were learned elsewhere", bind_import,
-                            run_import);
-  add_verb<ExportArguments>(
+  add_verb<ImportModelArguments>(noun, chosen, "import",
+                                 "Make a model of a Q-table or of rewards θ that were learned elsewhere",
+                                 bind_model_import, run_model_import);
+  add_verb<ExportModelArguments>(
       noun, chosen, "export", "Write a model's Q-table or rewards θ for other programs",
-      [](CLI::App& verb, ExportArguments& a) {
+      [](CLI::App& verb, ExportModelArguments& a) {
         verb.add_option("PROJECT", a.project, "The project file")->required();
         verb.add_option("MODEL", a.model, "Its id or name")->required();
         verb.add_option("--kind", a.kind, "q or theta")->capture_default_str();
         verb.add_option("--out", a.out, "F.npy or F.csv")->required();
       },
-      run_export);
-  add_verb<ListArguments>(
+      run_model_export);
+  add_verb<ListModelsArguments>(
       noun, chosen, "list", "List the models",
-      [](CLI::App& verb, ListArguments& a) { verb.add_option("PROJECT", a.project, "The project file")->required(); },
-      run_list);
-  add_verb<ShowArguments>(
+      [](CLI::App& verb, ListModelsArguments& a) {
+        verb.add_option("PROJECT", a.project, "The project file")->required();
+      },
+      run_list_models);
+  add_verb<ShowModelArguments>(
       noun, chosen, "show", "Say everything about one model",
-      [](CLI::App& verb, ShowArguments& a) {
+      [](CLI::App& verb, ShowModelArguments& a) {
         verb.add_option("PROJECT", a.project, "The project file")->required();
         verb.add_option("MODEL", a.model, "Its id or name")->required();
       },
-      run_show);
-  add_verb<CompareArguments>(
+      run_show_model);
+  add_verb<CompareModelsArguments>(
       noun, chosen, "compare", "Say what model B changes against model A",
-      [](CLI::App& verb, CompareArguments& a) {
+      [](CLI::App& verb, CompareModelsArguments& a) {
         verb.add_option("PROJECT", a.project, "The project file")->required();
         verb.add_option("MODEL_A", a.model_a, "Id or name")->required();
         verb.add_option("MODEL_B", a.model_b, "Id or name")->required();
         verb.add_option("--out", a.out, "F.csv: also write what both measure, a row for each");
       },
-      run_compare);
+      run_compare_models);
   add_model_study_commands(noun, chosen);
   add_model_curve_command(noun, chosen);
 }

@@ -54,7 +54,7 @@ Result<Subject> subject_of(const StudyArguments& arguments, Console& console) {
   return subject;
 }
 
-Json json_of(const learning::SeedResult& result) {
+Json seed_json(const learning::SeedResult& result) {
   return {{"seed", result.seed},
           {"fully_explored", result.exploration.fully_explored},
           {"partly_explored", result.exploration.partly_explored},
@@ -111,7 +111,7 @@ Result<Answer> run_seeds(const StudyArguments& arguments, Console& console) {
   double least = 1.0;
   double most = 0.0;
   for (const learning::SeedResult& one : result.seeds) {
-    answer.json["seeds"].push_back(json_of(one));
+    answer.json["seeds"].push_back(seed_json(one));
     const double share = static_cast<double>(one.near.arrived) / std::max(one.near.count, 1);
     least = std::min(least, share);
     most = std::max(most, share);

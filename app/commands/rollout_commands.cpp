@@ -33,7 +33,7 @@ std::string starts_of(const RunArguments& arguments) {
   return arguments.starts.empty() ? "around:3" : arguments.starts;
 }
 
-void bind_run(CLI::App& verb, RunArguments& arguments) {
+void bind_rollout_run(CLI::App& verb, RunArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("MODEL", arguments.model, "Id or name")->required();
   verb.add_option("--starts", arguments.starts, starts_help() + "; else around:3, and ±1 … ±5 beside it");
@@ -55,13 +55,13 @@ void bind_run(CLI::App& verb, RunArguments& arguments) {
       ->capture_default_str();
 }
 
-Json json_of(const learning::RolloutSummary& summary) {
+Json summary_json(const learning::RolloutSummary& summary) {
   return {{"count", summary.count},       {"arrived", summary.arrived}, {"looped", summary.looped},
           {"dead_end", summary.dead_end}, {"outside", summary.outside}, {"from_above", summary.from_above}};
 }
 
 /// Only A ends on a block that is to be taken from above; C ends sideways, at the hand-off.
-std::string line_of(const learning::RolloutSummary& summary, demonstration::Segment segment) {
+std::string rollouts_line(const learning::RolloutSummary& summary, demonstration::Segment segment) {
   std::string line = fmt::format("{} of {} arrive ({})", summary.arrived, summary.count,
                                  statistics::percent_text(summary.arrived, summary.count, 1));
   if (segment == demonstration::Segment::kA) {
@@ -169,19 +169,20 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   }
 
   Answer answer;
-  answer.json = json_of(summary);
+  answer.json = summary_json(summary);
   answer.json["seconds"] = seconds;
   answer.json["around"] = Json::array();
-  answer.summary = line_of(summary, entry->segment);
+  answer.summary = rollouts_line(summary, entry->segment);
   answer.text = answer.summary;
   // A list of starts from a file has nothing to do with the model's own.
   const int rows = arguments.starts.starts_with("file:") ? 0 : 5;
   for (int k = 1; k <= rows; ++k) {
     const learning::RolloutSummary near = learning::summarise(basin, learning::starts_around(model, k));
-    Json row = json_of(near);
+    Json row = summary_json(near);
     row["k"] = k;
     answer.json["around"].push_back(std::move(row));
-    if (arguments.starts.empty()) answer.text += fmt::format("\n  within ±{}: {}", k, line_of(near, entry->segment));
+    if (arguments.starts.empty())
+      answer.text += fmt::format("\n  within ±{}: {}", k, rollouts_line(near, entry->segment));
   }
   if (arguments.spread) {
     TROCAR_RETURN_IF_ERROR(tell_spread(model, policy, basin, starts, console.progress(), answer));
@@ -190,14 +191,14 @@ Result<Answer> run_run(const RunArguments& arguments, Console& console) {
   return answer;
 }
 
-struct CompareArguments {
+struct CompareRolloutsArguments {
   std::string project;
   std::string model_a;
   std::string model_b;
   std::string starts = "all";
 };
 
-void bind_compare(CLI::App& verb, CompareArguments& arguments) {
+void bind_compare(CLI::App& verb, CompareRolloutsArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("MODEL_A", arguments.model_a, "Id or name")->required();
   verb.add_option("MODEL_B", arguments.model_b, "Id or name")->required();
@@ -218,7 +219,7 @@ void tell_ends(const learning::OutcomeTable& ends, Answer& answer) {
   }
 }
 
-Result<Answer> run_compare(const CompareArguments& arguments, Console& console) {
+Result<Answer> run_compare_rollouts(const CompareRolloutsArguments& arguments, Console& console) {
   TROCAR_ASSIGN_OR_RETURN(const workbench::ProjectFile file, open_to_read(arguments.project, console, Models::kWhole));
   TROCAR_ASSIGN_OR_RETURN(const auto a, find_model(*file.project(), arguments.model_a));
   TROCAR_ASSIGN_OR_RETURN(const auto b, find_model(*file.project(), arguments.model_b));
@@ -262,9 +263,10 @@ std::string starts_help() {
 
 void add_rollout_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun = *root.add_subcommand("rollout", "Let the agent run from many starts")->require_subcommand(1);
-  add_verb<RunArguments>(noun, chosen, "run", "Roll a model's policy out and count how it ends", bind_run, run_run);
-  add_verb<CompareArguments>(noun, chosen, "compare", "Compare two models over the same starts", bind_compare,
-                             run_compare);
+  add_verb<RunArguments>(noun, chosen, "run", "Roll a model's policy out and count how it ends", bind_rollout_run,
+                         run_run);
+  add_verb<CompareRolloutsArguments>(noun, chosen, "compare", "Compare two models over the same starts", bind_compare,
+                                     run_compare_rollouts);
   add_rollout_look_commands(noun, chosen);
   add_rollout_plot_command(noun, chosen);
   add_rollout_report_command(noun, chosen);

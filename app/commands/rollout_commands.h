@@ -32,7 +32,5 @@ std::string starts_help();
 
 /// "3,4,5" as a cell. Errors: kInvalidArgument for anything else, and for a cell outside of the lattice.
 Result<spatial::CellIndex> cell_from(const std::string& text, const spatial::Grid& grid);
-/// "3,4,5" alone, whatever the lattice.
-Result<spatial::CellCoordinates> coordinates_from(const std::string& text);
 
 }  // namespace trocar::app

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -10,6 +8,7 @@
 #include "engine/learning/explanation.h"
 #include "engine/learning/field.h"
 #include "engine/learning/rollout.h"
+#include "engine/spatial/cell_text.h"
 
 namespace trocar::app {
 namespace {
@@ -164,23 +163,8 @@ Result<Answer> run_diverge(const DivergeArguments& arguments, Console& console) 
 
 }  // namespace
 
-Result<spatial::CellCoordinates> coordinates_from(const std::string& text) {
-  std::array<int, 3> numbers{};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto [after, error] = std::from_chars(at, end, numbers[i]);
-    const bool last = i + 1 == numbers.size();
-    if (error != std::errc{} || (last ? after != end : after == end || *after != ',')) {
-      return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" is no cell; write I,J,K", text));
-    }
-    at = after + 1;
-  }
-  return spatial::CellCoordinates{numbers[0], numbers[1], numbers[2]};
-}
-
 Result<spatial::CellIndex> cell_from(const std::string& text, const spatial::Grid& grid) {
-  TROCAR_ASSIGN_OR_RETURN(const spatial::CellCoordinates cell, coordinates_from(text));
+  TROCAR_ASSIGN_OR_RETURN(const spatial::CellCoordinates cell, spatial::coordinates_from(text));
   if (grid.contains(cell)) return grid.index(cell);
   return fail(ErrorCode::kInvalidArgument,
               fmt::format("the cell {} is outside of the lattice of {} a side", text, grid.n));

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/commands/rollout_commands.h"
 #include "app/commands/trial_commands.h"
 #include "app/commands/trial_live_command.h"
 #include "app/lookup.h"
 #include "app/options.h"
+#include "engine/spatial/cell_text.h"
 #include "engine/workbench/jobs/trial_job.h"
 #include "engine/workbench/take_plan.h"
 
@@ -35,7 +35,7 @@ struct RunTrialArguments {
 const std::map<std::string, trial::Anchor> kAnchors = {{"board", trial::Anchor::kBoard},
                                                        {"target", trial::Anchor::kTarget}};
 
-void bind_run(CLI::App& verb, RunTrialArguments& arguments) {
+void bind_trial_run(CLI::App& verb, RunTrialArguments& arguments) {
   workbench::TrialPlan& plan = arguments.plan;
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   verb.add_option("--mode", arguments.mode, "MT: the operator does A to D; SC: the agent moves in A and C")
@@ -222,7 +222,7 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
     }
   }
   if (!arguments.from_cell.empty()) {
-    TROCAR_ASSIGN_OR_RETURN(const spatial::CellCoordinates cell, coordinates_from(arguments.from_cell));
+    TROCAR_ASSIGN_OR_RETURN(const spatial::CellCoordinates cell, spatial::coordinates_from(arguments.from_cell));
     TROCAR_ASSIGN_OR_RETURN(plan.options.begin_p_W, workbench::place_of({cell, arguments.grid}));
   }
   if (arguments.operator_kind == "tcp") return run_live_command(file, plan, arguments.live, console);
@@ -322,7 +322,7 @@ Result<Answer> show_trial(const TrialArguments& arguments, Console& console) {
   return answer;
 }
 
-void bind_replay(CLI::App& verb, TrialArguments& arguments) {
+void bind_trial_replay(CLI::App& verb, TrialArguments& arguments) {
   bind_trial(verb, arguments);
   verb.add_flag("--verify", arguments.verify, "Compare every state hash; that is what a replay is for");
 }
@@ -371,14 +371,14 @@ void add_trial_commands(CLI::App& root, Action& chosen) {
   CLI::App& noun = *root.add_subcommand("trial", "Manual and shared-control trials")->require_subcommand(1);
   add_verb<RunTrialArguments>(noun, chosen, "run",
                               "Run transfers by scripted operators faster than real time, or one by a person's console",
-                              bind_run, run_trials_command);
+                              bind_trial_run, run_trials_command);
   const auto bind_list = [](CLI::App& verb, ListTrialsArguments& arguments) {
     verb.add_option("PROJECT", arguments.project, "The project file")->required();
   };
   add_verb<ListTrialsArguments>(noun, chosen, "list", "One line for each trial", bind_list, list_trials);
   add_verb<TrialArguments>(noun, chosen, "show", "One trial with every event of its record", bind_trial, show_trial);
-  add_verb<TrialArguments>(noun, chosen, "replay", "Simulate its setpoints again and compare the hashes", bind_replay,
-                           replay_trial);
+  add_verb<TrialArguments>(noun, chosen, "replay", "Simulate its setpoints again and compare the hashes",
+                           bind_trial_replay, replay_trial);
   add_verb<TrialArguments>(noun, chosen, "judge", "Exclude a trial from the results, or include it again", bind_judge,
                            judge_trial);
   add_trial_results_command(noun, chosen);

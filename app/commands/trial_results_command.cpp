@@ -38,7 +38,7 @@ Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json json_of(const workbench::ModeResults& mode) {
+Json mode_json(const workbench::ModeResults& mode) {
   return {{"trials", mode.trials},
           {"succeeded", mode.succeeded},
           {"dropped", mode.dropped},
@@ -96,8 +96,8 @@ Result<Answer> run_results(const ResultsArguments& arguments, Console& console) 
   Answer answer;
   answer.json = {{"operators", results.operators},
                  {"scripted", results.scripted},
-                 {"MT", json_of(results.modes[0])},
-                 {"SC", json_of(results.modes[1])},
+                 {"MT", mode_json(results.modes[0])},
+                 {"SC", mode_json(results.modes[1])},
                  {"paired",
                   {{"pairs", paired.pairs},
                    {"mean_s", paired.mean_s},
@@ -113,7 +113,7 @@ Result<Answer> run_results(const ResultsArguments& arguments, Console& console) 
   answer.json["participants"] = Json::array();
   for (const workbench::Participant& each : results.participants) {
     answer.json["participants"].push_back(
-        {{"name", each.name}, {"MT", json_of(each.modes[0])}, {"SC", json_of(each.modes[1])}});
+        {{"name", each.name}, {"MT", mode_json(each.modes[0])}, {"SC", mode_json(each.modes[1])}});
   }
   const workbench::PairedResults& each = results.by_participant;
   answer.json["by_participant"] = {

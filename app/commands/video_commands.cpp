@@ -32,11 +32,12 @@ void bind_render(CLI::App& verb, RenderArguments& arguments) {
 /// In the words of the other commands, with what may have been meant.
 Status check_sources(const film::Composition& film, const workbench::Project& project, Console& console) {
   for (const film::Source& source : film.sources) {
-    if (source.kind == film::SourceKind::kField) {
-      TROCAR_ASSIGN_OR_RETURN(const auto model, find_model(project, source.of));
+    const bool of_model = source.kind == film::SourceKind::kField || source.kind == film::SourceKind::kRollout;
+    if (!of_model) TROCAR_RETURN_IF_ERROR(find_shown(project, source.of));
+    for (const std::string& name : {of_model ? source.of : "", source.field ? source.field->of : ""}) {
+      if (name.empty()) continue;
+      TROCAR_ASSIGN_OR_RETURN(const auto model, find_model(project, name));
       warn_if_stale(project, *model, console);
-    } else {
-      TROCAR_RETURN_IF_ERROR(find_shown(project, source.of));
     }
   }
   return {};
@@ -109,8 +110,8 @@ Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
 }  // namespace
 
 void add_video_commands(CLI::App& root, Action& chosen) {
-  CLI::App& noun = *root.add_subcommand("video", "Films of demonstrations and trials")->require_subcommand(1);
-  add_verb<RenderArguments>(noun, chosen, "render", "Film demonstrations and trials, or a job", bind_render,
+  CLI::App& noun = *root.add_subcommand("video", "Films of demonstrations, trials and rollouts")->require_subcommand(1);
+  add_verb<RenderArguments>(noun, chosen, "render", "Film demonstrations, trials and rollouts, or a job", bind_render,
                             run_render);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/film/composition_words.h"
+#include "engine/film/property.h"
 
 namespace trocar::film {
 namespace {
@@ -33,27 +34,32 @@ Status check_keys(const std::vector<Key>& keys, std::string_view property, doubl
   return {};
 }
 
-struct Limits {
-  std::string_view property;
-  double low;
-  double high;
-};
-constexpr std::array<Limits, 4> kProperties{{{"orbit.yaw", -1000.0, 1000.0},
-                                             {"orbit.elevation", -1.55, 1.55},
-                                             {"orbit.distance", 0.02, 1.0},
-                                             {"slice", 0.0, 1000.0}}};
+Status check_keys(const std::vector<Key>& keys, const Property& property) {
+  return check_keys(keys, property.name, property.low, property.high);
+}
 
-Status check_tracks(const std::vector<Track>& tracks) {
-  for (const Track& track : tracks) {
-    const auto known = std::find_if(kProperties.begin(), kProperties.end(),
-                                    [&](const Limits& limits) { return limits.property == track.property; });
-    if (known == kProperties.end()) {
+Status check_tracks(const Source& source) {
+  for (const Track& track : source.tracks) {
+    const Property* known = source_property(track.property);
+    if (known == nullptr) {
+      std::vector<std::string_view> names;
+      for (const Property& each : all_source_properties()) names.push_back(each.name);
       return refused(
-          fmt::format("no property of a source is named \"{}\": there are orbit.yaw, orbit.elevation, "
-                      "orbit.distance and slice",
-                      track.property));
+          fmt::format("no property of a source is named \"{}\": there are {}", track.property, fmt::join(names, ", ")));
     }
-    TROCAR_RETURN_IF_ERROR(check_keys(track.keys, track.property, known->low, known->high));
+    TROCAR_RETURN_IF_ERROR(check_keys(track.keys, *known));
+  }
+  return {};
+}
+
+/// The numbers of a source that can have keys, where they have none.
+Status check_fixed(const Source& source) {
+  for (const Property& property : all_source_properties()) {
+    if (!has_property(source, property)) continue;
+    const double value = fixed_value(source, property.name);
+    if (!within(value, property.low, property.high)) {
+      return refused(fmt::format("{} must be {} to {}, not {}", property.name, property.low, property.high, value));
+    }
   }
   return {};
 }
@@ -90,14 +96,25 @@ Status check_source(const Source& source) {
     return refused(fmt::format("the gates of {} leave nothing", source.of));
   }
   TROCAR_RETURN_IF_ERROR(check_camera(source.camera));
-  return check_tracks(source.tracks);
+  const bool scene = source.kind == SourceKind::kRecording || source.kind == SourceKind::kRollout;
+  if (source.field && !scene) return refused(fmt::format("{} is no scene that a field could be in", source.of));
+  if (source.field && source.field->of.empty()) return refused("a field in a scene does not say of which model it is");
+  if (source.start && source.kind != SourceKind::kRollout) {
+    return refused(fmt::format("{} is no rollout: it has no start", source.of));
+  }
+  for (const int cell : source.start.value_or(std::array<int, 3>{})) {
+    if (cell < 0 || cell > 1000)
+      return refused(fmt::format("a rollout of {} starts outside of any lattice", source.of));
+  }
+  TROCAR_RETURN_IF_ERROR(check_fixed(source));
+  return check_tracks(source);
 }
 
 Status check_pace(const Pace& pace) {
   if (!(pace.speed > 0.0) || !within(pace.speed, 0.0, 100.0)) {
     return refused(fmt::format("the speed must be above 0 and at most 100, not {}", pace.speed));
   }
-  TROCAR_RETURN_IF_ERROR(check_keys(pace.ramps, "speed", 0.01, 100.0));
+  TROCAR_RETURN_IF_ERROR(check_keys(pace.ramps, speed_property()));
   if (pace.loops < 1 || pace.loops > 1000) return refused("a film is shown 1 to 1000 times");
   for (std::size_t i = 0; i < pace.holds.size(); ++i) {
     const Hold& hold = pace.holds[i];
@@ -157,6 +174,7 @@ Status check(const Composition& film) {
     return refused(fmt::format("a film has 1 to 240 frames a second, not {}", film.fps));
   }
   if (!within(film.share, 0.1, 0.5)) return refused("a picture in the picture has 0.1 to 0.5 of the width");
+  TROCAR_RETURN_IF_ERROR(check_keys(film.share_keys, share_property()));
   const Room room = room_of(film.layout);
   if (film.sources.size() < room.least || film.sources.size() > room.most) {
     const std::string wanted =

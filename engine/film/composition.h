@@ -49,24 +49,38 @@ struct CameraPath {
   double elevation_rad = 0.6;
   double distance_m = 0.21;     ///< … and of follow.
   double turn_s = 12.0;         ///< Of a turntable: film seconds for once around; negative: the other way.
+  double zoom = 1.0;            ///< 2: twice as large as the view has it.
   std::vector<CameraKey> keys;  ///< Of poses: at least one, by increasing time.
   bool operator==(const CameraPath&) const = default;
 };
 
-enum class SourceKind : std::uint8_t { kRecording, kField, kCurve };
+enum class SourceKind : std::uint8_t { kRecording, kField, kCurve, kRollout };
+
+/// A slice of a model's field, seen in the scene.
+struct SceneField {
+  std::string of;  ///< Id or name of a model.
+  std::string layer = "value";
+  std::string slice = "z=11";
+  double opacity = 0.8;
+  bool operator==(const SceneField&) const = default;
+};
 
 struct Source {
   SourceKind kind = SourceKind::kRecording;
-  std::string of;              ///< Id or name of a demonstration or trial; of a field, of a model.
+  std::string of;              ///< Id or name of a demonstration or trial; of a field or rollout, of a model.
   std::string title;           ///< Empty: its name.
-  CameraPath camera;           ///< Of a recording.
+  CameraPath camera;           ///< Of a recording or rollout.
   std::optional<double> in_s;  ///< Of the recording's own time; none: its gates.
   std::optional<double> out_s;
-  std::string layer = "value";  ///< Of a field …
-  std::string slice = "z=11";   ///< … and where it is cut.
-  std::string curve = "speed";  ///< As `trocar demo plot` calls them.
-  /// Of "orbit.yaw", "orbit.elevation" (rad), "orbit.distance" (m) and "slice" (a cell).
-  std::vector<Track> tracks;
+  std::string layer = "value";              ///< Of a field …
+  std::string slice = "z=11";               ///< … and where it is cut.
+  std::string curve = "speed";              ///< As `trocar demo plot` calls them.
+  std::optional<std::array<int, 3>> start;  ///< Of a rollout, in cells; none: where the model's first expert began.
+  std::optional<SceneField> field;          ///< In the scene of a recording or rollout.
+  double trail_s = 4.0;                     ///< How long the tips' trail is, where it is drawn.
+  double ghost = 0.3;                       ///< How dense the ghost is, where it is drawn: 0 … 1.
+  double brightness = 1.0;                  ///< 0: black.
+  std::vector<Track> tracks;                ///< Of properties that such a source has (`film/property.h`).
   bool operator==(const Source&) const = default;
 };
 
@@ -82,7 +96,7 @@ struct Hold {
 };
 
 struct Pace {
-  double speed = 1.0;      ///< Seconds of the sources for each second of film, without `speed_keys`.
+  double speed = 1.0;      ///< Seconds of the sources for each second of film, without `ramps`.
   std::vector<Key> ramps;  ///< The speed by film time, in which holds do not count.
   std::vector<Hold> holds;
   int loops = 1;
@@ -134,7 +148,8 @@ struct Composition {
   Quality quality = Quality::kFast;
   Layout layout = Layout::kSingle;
   Corner corner = Corner::kBottomRight;  ///< Of the second picture, where it lies in the first …
-  double share = 0.3;                    ///< … and how much of its width it has, 0.1 … 0.5.
+  double share = 0.3;                    ///< … and how much of its width it has, 0.1 … 0.5 …
+  std::vector<Key> share_keys;           ///< … by film time, if it changes.
   std::vector<Source> sources;
   Pace pace;
   Overlays overlays = Overlays::usual();

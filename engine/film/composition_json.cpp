@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/film/composition_words.h"
+#include "engine/film/property.h"
 
 namespace trocar::film {
 namespace {
@@ -63,6 +64,19 @@ class Reader {
       if (!(*found)[i].is_number()) return wrong(fmt::format("needs three numbers as \"{}\"", key));
       value[i] = (*found)[i].get<double>();
     }
+  }
+  void cell(const char* key, std::optional<std::array<int, 3>>& value) {
+    if (find(key) == nullptr) return;
+    std::array<double, 3> read{};
+    point(key, read);
+    std::array<int, 3> cell{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(read[i] >= -1e6 && read[i] <= 1e6) || read[i] != static_cast<int>(read[i])) {
+        return wrong(fmt::format("needs three whole numbers as \"{}\"", key));
+      }
+      cell[i] = static_cast<int>(read[i]);
+    }
+    value = cell;
   }
   /// `read` gets a reader of each object and its place in the list.
   template <typename Item, typename Read>
@@ -134,6 +148,7 @@ void read_camera(Reader& reader, CameraPath& camera) {
   reader.number("elevation_rad", camera.elevation_rad);
   reader.number("distance_m", camera.distance_m);
   reader.number("turn_s", camera.turn_s);
+  reader.number("zoom", camera.zoom);
   reader.list("keys", camera.keys, [](Reader& key_reader, CameraKey& key) {
     key_reader.number("t", key.t_s);
     key_reader.point("eye_m", key.eye_m);
@@ -152,6 +167,17 @@ void read_source(Reader& reader, Source& source) {
   reader.text("slice", source.slice);
   reader.text("curve", source.curve);
   reader.part("camera", [&](Reader& camera) { read_camera(camera, source.camera); });
+  reader.cell("start", source.start);
+  if (reader.find("field") != nullptr) source.field.emplace();
+  reader.part("field", [&](Reader& field) {
+    field.text("of", source.field->of);
+    field.text("layer", source.field->layer);
+    field.text("slice", source.field->slice);
+    field.number("opacity", source.field->opacity);
+  });
+  reader.number("trail_s", source.trail_s);
+  reader.number("ghost", source.ghost);
+  reader.number("brightness", source.brightness);
   reader.list("tracks", source.tracks, read_track);
 }
 
@@ -193,10 +219,10 @@ void read_film(Reader& reader, Composition& film) {
   std::vector<Track> tracks;
   reader.list("tracks", tracks, read_track);
   for (Track& track : tracks) {
-    if (track.property != "speed") {
-      return reader.wrong(fmt::format("has no property \"{}\" of its own: only speed", track.property));
+    if (track.property != speed_property().name && track.property != share_property().name) {
+      return reader.wrong(fmt::format("has no property \"{}\" of its own: only speed and share", track.property));
     }
-    film.pace.ramps = std::move(track.keys);
+    set_keys(film, track.property, std::move(track.keys));
   }
 }
 
@@ -215,6 +241,7 @@ Json json_of(const CameraPath& camera) {
   if (camera.elevation_rad != usual.elevation_rad) json["elevation_rad"] = camera.elevation_rad;
   if (camera.distance_m != usual.distance_m) json["distance_m"] = camera.distance_m;
   if (camera.turn_s != usual.turn_s) json["turn_s"] = camera.turn_s;
+  if (camera.zoom != usual.zoom) json["zoom"] = camera.zoom;
   for (const CameraKey& key : camera.keys) {
     json["keys"].push_back(
         {{"t", key.t_s}, {"eye_m", key.eye_m}, {"target_m", key.target_m}, {"ease", word_of(kEases, key.ease)}});
@@ -232,6 +259,16 @@ Json json_of(const Source& source) {
   if (source.slice != usual.slice) json["slice"] = source.slice;
   if (source.curve != usual.curve) json["curve"] = source.curve;
   if (source.camera != usual.camera) json["camera"] = json_of(source.camera);
+  if (source.start) json["start"] = *source.start;
+  if (source.field) {
+    json["field"] = {{"of", source.field->of},
+                     {"layer", source.field->layer},
+                     {"slice", source.field->slice},
+                     {"opacity", source.field->opacity}};
+  }
+  if (source.trail_s != usual.trail_s) json["trail_s"] = source.trail_s;
+  if (source.ghost != usual.ghost) json["ghost"] = source.ghost;
+  if (source.brightness != usual.brightness) json["brightness"] = source.brightness;
   for (const Track& track : source.tracks) {
     json["tracks"].push_back({{"property", track.property}, {"keys", json_of(track.keys)}});
   }
@@ -263,8 +300,9 @@ std::string to_json(const Composition& film) {
   for (const Word<Overlay>& word : kOverlays) {
     if (film.overlays.has(word.value)) json["overlays"].push_back(word.text);
   }
-  if (!film.pace.ramps.empty()) {
-    json["tracks"].push_back({{"property", "speed"}, {"keys", json_of(film.pace.ramps)}});
+  for (const Property* property : {&speed_property(), &share_property()}) {
+    const std::vector<Key> keys = keys_of(film, property->name);
+    if (!keys.empty()) json["tracks"].push_back({{"property", property->name}, {"keys", json_of(keys)}});
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -29,10 +29,12 @@ inline constexpr std::array<Word<Corner>, 4> kCorners{{{Corner::kTopLeft, "top-l
 inline constexpr std::array<Word<Sync>, 3> kSyncs{
     {{Sync::kClock, "clock"}, {Sync::kSegment, "segment"}, {Sync::kGrasp, "grasp"}}};
 inline constexpr std::array<Word<Quality>, 2> kQualities{{{Quality::kFast, "fast"}, {Quality::kFine, "fine"}}};
-inline constexpr std::array<Word<Ease>, 3> kEases{
-    {{Ease::kLinear, "linear"}, {Ease::kSmooth, "smooth"}, {Ease::kHold, "hold"}}};
-inline constexpr std::array<Word<SourceKind>, 3> kSourceKinds{
-    {{SourceKind::kRecording, "recording"}, {SourceKind::kField, "field"}, {SourceKind::kCurve, "curve"}}};
+inline constexpr std::array<Word<Ease>, 4> kEases{
+    {{Ease::kLinear, "linear"}, {Ease::kSmooth, "smooth"}, {Ease::kHold, "hold"}, {Ease::kSpline, "spline"}}};
+inline constexpr std::array<Word<SourceKind>, 4> kSourceKinds{{{SourceKind::kRecording, "recording"},
+                                                               {SourceKind::kField, "field"},
+                                                               {SourceKind::kCurve, "curve"},
+                                                               {SourceKind::kRollout, "rollout"}}};
 inline constexpr std::array<Word<View>, 8> kViews{{{View::kPaper, "paper"},
                                                    {View::kTop, "top"},
                                                    {View::kSide, "side"},

@@ -179,6 +179,9 @@ struct FilmOverlay::Impl {
             style(16.0, Weight::kRegular, kWhite, align));
       y += 37.0 * unit;
     }
+    if (!caption.colours) return;
+    const double below_speed = margin + (speed.empty() ? 0.0 : 46.0 * unit);
+    draw_colour_key(frame, *caption.colours, width - margin, caption.lines_at_right ? y : below_speed, unit);
   }
 
   void draw_authority(Canvas& canvas, const FrameCaption& caption, double x, double y) const {

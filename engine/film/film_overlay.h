@@ -9,6 +9,7 @@
 
 #include "engine/core/image.h"
 #include "engine/demonstration/recording.h"
+#include "engine/film/colour_key.h"
 #include "engine/film/composition.h"
 
 namespace trocar::film {
@@ -41,6 +42,7 @@ struct FrameCaption {
   std::string status;                  ///< Above that, larger: "waiting".
   std::vector<std::string> lines;      ///< Below the title: measures.
   bool lines_at_right = false;         ///< … or in the other corner, if something lies there.
+  std::optional<ColourKey> colours;    ///< At the right: what the colours of a field in the scene mean.
   bool scripted = false;               ///< Said below the title unless the band's provenance is shown.
   Overlays shown = Overlays::usual();  ///< Which parts the band has.
 };

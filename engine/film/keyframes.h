@@ -7,8 +7,10 @@
 
 namespace trocar::film {
 
-/// How one goes from a key to the next: evenly, slowly at both ends, or not at all until there.
-enum class Ease : std::uint8_t { kLinear, kSmooth, kHold };
+/// How one goes from a key to the next: evenly, slowly at both ends, not at all until there, or without a corner: a
+/// number by a monotone cubic, which never leaves what lies between two keys (Fritsch and Butland, 1984), a camera by a
+/// spline of Catmull and Rom.
+enum class Ease : std::uint8_t { kLinear, kSmooth, kHold, kSpline };
 
 struct Key {
   double t_s = 0.0;  ///< Of the film.
@@ -24,7 +26,8 @@ struct Track {
   bool operator==(const Track&) const = default;
 };
 
-/// 0 … 1 of the way from one key to the next, where `u` (0 … 1) of the time has gone.
+/// 0 … 1 of the way from one key to the next, where `u` (0 … 1) of the time has gone; of a spline, which depends on the
+/// keys around, as if it were smooth.
 double eased(Ease ease, double u);
 
 /// Before the first key its value, after the last its; `otherwise` without keys.

@@ -211,15 +211,14 @@ void Stage::add_lattice_frame(const spatial::Grid& grid, scene::Scene& scene) co
   add_frame(*meshes_, grid, scene);
 }
 
-void Stage::add_ghost(const Pose3d& pose, scene::Scene& scene) const {
-  constexpr float kGhostAlpha = 0.3F;
+void Stage::add_ghost(const Pose3d& pose, float opacity, scene::Scene& scene) const {
   std::vector<scene::Node> nodes;
   for (const kinematics::ArmSide side : kinematics::kArmSides) {
     const std::size_t i = kinematics::index_of(side);
     if (pose.arm_known[i]) add_arm(*meshes_, side, pose.joints[i], pose.jaw_rad[i], nodes);
   }
   for (scene::Node& node : nodes) {
-    node.material.base_colour.w() = kGhostAlpha;
+    node.material.base_colour.w() = opacity;
     node.material.casts_shadow = false;
     scene.nodes.push_back(std::move(node));
   }

@@ -89,7 +89,7 @@ class Stage {
   scene::Scene field_scene(const std::vector<FieldLayer>& fields) const;
   void add_lattice_frame(const spatial::Grid& grid, scene::Scene& scene) const;
   /// Both arms of another state, to be seen through: what somebody else does meanwhile.
-  void add_ghost(const Pose3d& pose, scene::Scene& scene) const;
+  void add_ghost(const Pose3d& pose, float opacity, scene::Scene& scene) const;
 
  private:
   std::shared_ptr<const Meshes> meshes_;

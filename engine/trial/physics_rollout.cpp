@@ -29,6 +29,7 @@ constexpr double kLead_m_s = 0.060;  // while the tool is led to its start
 constexpr double kAbove_m = 0.055;   // over the pegs and what stands on them
 constexpr double kNear_m = 0.0002;   // of a place that the tool was to reach
 constexpr int kMostWaits = 200;      // samples for the limits to let it get there
+constexpr int kAfterwards = 100;     // samples in which who watches sees how it ended
 constexpr double kMostDelay_s = 5.0;
 constexpr double kMostNoise_m = 0.05;
 constexpr double kSamplePeriod_s = 1.0 / demonstration::kSampleRate_hz;
@@ -64,6 +65,10 @@ class Driven {
   void measure_from_here() {
     length_m_ = 0.0;
     tips_.assign(1, tip());
+  }
+  void show_to(const RolloutWatcher& watch) {
+    watch_ = watch;
+    if (watch_) watch_(state());
   }
   /// Rests for so many samples.
   void wait(int samples) {
@@ -104,6 +109,7 @@ class Driven {
     }
     length_m_ += (tip() - before).norm();
     tips_.push_back(tip());
+    if (watch_) watch_(state());
   }
 
   simulation::World world_;
@@ -113,6 +119,7 @@ class Driven {
   std::optional<ArmDrive> drive_;
   double length_m_ = 0.0;
   std::vector<Eigen::Vector3d> tips_;  ///< After each sample.
+  RolloutWatcher watch_;               ///< May be empty.
 };
 
 int samples_for(double way_m) {
@@ -259,7 +266,7 @@ std::string_view to_string(PhysicsEnd end) {
 }
 
 PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<std::uint8_t>& policy, CellIndex start,
-                               const PhysicsOptions& options, const std::string& world) {
+                               const PhysicsOptions& options, const std::string& world, const RolloutWatcher& watch) {
   Driven driven(options, world);
   PhysicsRollout result;
   if (!lead(driven, place_of(model, start, options)) || !driven.holds()) {
@@ -270,6 +277,7 @@ PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<s
   const double begin_s = driven.seconds();
   const Places before = blocks_of(driven.state());
   driven.measure_from_here();
+  driven.show_to(watch);
   Perturbed agent(model, policy, options, start);
   result.end = follow(model, agent, begin_s + options.time_limit_s, driven, result);
   result.duration_s = driven.seconds() - begin_s;
@@ -280,6 +288,7 @@ PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<s
     result.pushed_m = std::max(result.pushed_m, (after[i] - before[i]).norm());
   }
   result.state_hash = driven.hash();
+  if (watch) driven.wait(kAfterwards);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "engine/core/result.h"
 #include "engine/demonstration/recording.h"
 #include "engine/learning/model.h"
+#include "engine/simulation/world_state.h"
 
 namespace trocar::trial {
 
@@ -57,11 +59,15 @@ struct PhysicsRollout {
   bool operator==(const PhysicsRollout&) const = default;
 };
 
+using RolloutWatcher = std::function<void(const simulation::WorldState&)>;
+
 /// In a world of its own, led to the start from above with closed jaws. The policy is asked for the cell that the tool
 /// is measured in; a cell is 1/8 s. The same on every thread. `world` is where it begins, of `segment_world`; "": a new
 /// one. Precondition: it is a snapshot of this version.
+/// `watch` sees it at 200 Hz from the start on, and for half a second after its end, of which the result knows nothing.
 PhysicsRollout physics_rollout(const learning::Model& model, const std::vector<std::uint8_t>& policy,
-                               spatial::CellIndex start, const PhysicsOptions& options, const std::string& world = "");
+                               spatial::CellIndex start, const PhysicsOptions& options, const std::string& world = "",
+                               const RolloutWatcher& watch = {});
 
 /// One for each start, nothing where none was run yet.
 using PhysicsRollouts = std::vector<std::optional<PhysicsRollout>>;

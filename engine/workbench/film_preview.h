@@ -1,9 +1,11 @@
 /// One frame of a film before it is rendered, as the window shows it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/core/image.h"
 #include "engine/film/composition.h"
@@ -17,7 +19,10 @@ struct FilmPreview {
   int frame = 0;                         ///< Its number in the film …
   int frames = 0;                        ///< … which has so many, loops included.
   double length_s = 0.0;                 ///< Of one pass of the film.
-  std::string warning;                   ///< What the renderer says about the film; "": nothing.
+  double common_s = 0.0;                 ///< Of what its sources have in common, as `film::Hold` counts.
+  /// What there is of each source, of its own time, whatever its gates; nothing of what stands still.
+  std::vector<std::array<double, 2>> spans_s;
+  std::string warning;  ///< What the renderer says about the film; "": nothing.
   std::string error;
 };
 

@@ -14,7 +14,8 @@ Status FilmPreviewMaker::prepare(const FilmPreviewRequest& request) {
   if (renderer_ && film_ == request.film && project_ == request.project) return {};
   renderer_.reset();
   Diagnostics diagnostics;
-  TROCAR_ASSIGN_OR_RETURN(FilmRenderer renderer, FilmRenderer::create(request.film, *request.project, diagnostics));
+  TROCAR_ASSIGN_OR_RETURN(FilmRenderer renderer,
+                          FilmRenderer::create(request.film, *request.project, diagnostics, &shelf_));
   renderer_.emplace(std::move(renderer));
   film_ = request.film;
   project_ = request.project;
@@ -36,6 +37,8 @@ std::shared_ptr<const FilmPreview> FilmPreviewMaker::make(const FilmPreviewReque
   preview->length_s = (pass - 1) / request.film.fps;
   preview->frame = static_cast<int>(std::lround(std::clamp(request.at_s, 0.0, preview->length_s) * request.film.fps));
   preview->warning = warning_;
+  preview->common_s = renderer_->map().at(preview->frame).common_s;
+  preview->spans_s = renderer_->spans_s();
   Result<Image> picture = renderer_->frame(*studio_, preview->frame);
   if (picture) {
     preview->picture = std::make_shared<const Image>(std::move(*picture));

@@ -34,6 +34,7 @@ class FilmPreviewMaker {
   film::Composition film_;
   std::shared_ptr<const Project> project_;
   std::string warning_;
+  RolloutShelf shelf_;
   std::uint64_t number_ = 0;
 };
 

@@ -54,7 +54,7 @@ Result<Image> Studio::one_picture(const ViewRequest& request, std::size_t half) 
   add(scene.nodes, kept.path_nodes);
   add(scene.nodes, kept.field_scene.nodes);
   add(scene.quads, kept.field_scene.quads);
-  if (request.ghost) stage_->add_ghost(*request.ghost, scene);
+  if (request.ghost) stage_->add_ghost(*request.ghost, request.ghost_opacity, scene);
   if (request.options.lattice_frame) {
     const bool known = !request.fields.empty() && request.fields.front().field != nullptr;
     stage_->add_lattice_frame(known ? request.fields.front().field->grid : spatial::Grid{}, scene);

@@ -22,7 +22,8 @@ struct ViewRequest {
   stage::Pose3d pose;
   std::shared_ptr<const std::vector<stage::PathLayer>> paths;  ///< May be null.
   std::vector<stage::FieldLayer> fields;
-  std::optional<stage::Pose3d> ghost;  ///< Arms that are seen through.
+  std::optional<stage::Pose3d> ghost;  ///< Arms that are seen through …
+  float ghost_opacity = 0.3F;          ///< … 0 to 1.
   stage::StageOptions options;
   scene::Camera camera;
   render::RenderOptions render;

@@ -2,7 +2,10 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
+#include <filesystem>
+#include <thread>
 #include <vector>
 
 #include "engine/core/clock.h"
@@ -103,5 +106,61 @@ void gui_live(benchmark::State& run) {
   run.counters["p95_ms"] = 1e3 * *nth;
 }
 BENCHMARK(gui_live)->Name("gui_live_1600x900")->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+
+// A film of 1280 × 720 with one or two sides while the window, drawn anew each time, wants 30 frames a second. The film
+// must reach 25 and the window keep its 30; `late` is the share of the window's frames that took longer than 1/30 s.
+void film_beside_window(benchmark::State& run) {
+  constexpr double kFrame_s = 1.0 / 30.0;
+  auto window = ui::OsmesaWindow::create({1600, 900});
+  if (!window) return run.SkipWithError(window.error().text().c_str());
+  (*window)->always_draw(true);
+  const testing::ScratchFolder folder;
+  workbench::Workbench workbench({});
+  workbench.post(workbench::OpenProject{folder.path() / "film.trocar", true});
+  workbench.post(workbench::RecordScripted{{}, "One", false});
+  if (!workbench.wait_idle(60.0)) return run.SkipWithError("the project was not made");
+  film::Composition film;
+  film.path = folder.path() / "film.mp4";
+  film.sources.assign(static_cast<std::size_t>(run.range(0)), film::recording_of("One"));
+  film.layout = film::layout_for(film.layout, film.sources.size());
+  for (film::Source& source : film.sources) source.out_s = 10.0;
+  ui::Settings settings;
+  settings.scale = 1.0F;
+  auto application = ui::Application::create(**window, workbench, settings);
+  if (!application) return run.SkipWithError(application.error().text().c_str());
+  const SystemClock clock;
+  int drawn = 0;
+  int late = 0;
+  for (auto _ : run) {
+    workbench.post(workbench::RenderFilm{film});
+    const double begin_s = clock.now_s();
+    const auto ended = [&workbench] {
+      const auto& jobs = workbench.state().jobs;
+      return !jobs.empty() && !jobs.front().film.empty() && jobs.front().state != workbench::JobState::kQueued &&
+             jobs.front().state != workbench::JobState::kRunning;
+    };
+    for (double next_s = begin_s; !ended();) {
+      const double before_s = clock.now_s();
+      if (!(*application)->step(0.0)) return run.SkipWithError("a frame could not be drawn");
+      const double after_s = clock.now_s();
+      ++drawn;
+      late += after_s - before_s > kFrame_s ? 1 : 0;
+      next_s = std::max(next_s + kFrame_s, after_s);
+      std::this_thread::sleep_for(std::chrono::duration<double>(next_s - after_s));
+    }
+    const double took_s = clock.now_s() - begin_s;
+    run.counters["film_frames_per_s"] = 10.0 * film.fps / took_s;
+    run.counters["window_frames_per_s"] = drawn / took_s;
+    run.counters["late"] = static_cast<double>(late) / drawn;
+  }
+  if (!std::filesystem::exists(film.path)) run.SkipWithError("the film was not made");
+}
+BENCHMARK(film_beside_window)
+    ->Name("film_beside_window_1280x720")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Iterations(1)
+    ->Arg(1)
+    ->Arg(2);
 
 }  // namespace

@@ -52,6 +52,33 @@ class Films(CommandLineTest):
         self.assertEqual(answer["frames"], 5)
         self.assertEqual(answer["out"], str(self.folder / "film.mkv"))
 
+    def test_a_rollout_beside_its_demonstration_by_options_and_as_a_job(self):
+        project = self.trimmed_project()
+        job = self.folder / "film.json"
+        options = ["Expert", "--rollout", "A exact@9,9,15", "--size", "320x180", "--fps", "5", "--layout", "side-by-side"]
+        self.answer("video", "render", project, *options, "--write-job", job)
+        written = json.loads(job.read_text())
+        self.assertEqual(written["sources"][1], {"kind": "rollout", "of": "A exact", "start": [9, 9, 15]})
+        first = self.answer("video", "render", project, *options, "--out", self.folder / "a_%02d.png")
+        # Its field in the scene, faded in, and the whole come from black.
+        written["sources"][1]["field"] = {"of": "A exact", "slice": "z=11"}
+        written["sources"][1]["tracks"] = [{"property": "field.opacity", "keys": [{"t": 0, "value": 0, "ease": "spline"},
+                                                                                 {"t": 1, "value": 1}]},
+                                           {"property": "brightness", "keys": [{"t": 0, "value": 0}, {"t": 0.5, "value": 1}]}]
+        job.write_text(json.dumps(written))
+        second = self.answer("video", "render", project, job, "--out", self.folder / "b_%02d.png")
+        self.assertEqual(first["frames"], second["frames"])
+        for i in range(first["frames"]):
+            self.assertNotEqual((self.folder / f"a_{i:02}.png").read_bytes(), (self.folder / f"b_{i:02}.png").read_bytes())
+        alone = self.answer("video", "render", project, "--rollout", "A exact", "--size", "160x90", "--fps", "5", "--out",
+                            self.folder / "alone.mp4")
+        self.assertGreater(alone["frames"], 5)
+        out = ["--out", self.folder / "none.mp4"]
+        self.refused("video", "render", project, "--rollout", "A exact@99,0,0", *out, code=USAGE, saying="outside")
+        self.refused("video", "render", project, "--rollout", "A exakt", *out, code=USAGE, saying="A exact")
+        self.refused("video", "render", project, *out, code=USAGE, saying="what is filmed")
+        self.refused("video", "render", project, job, "--rollout", "A exact", *out, code=USAGE, saying="lists its rollouts")
+
     def test_jobs_that_cannot_be_are_refused_and_leave_nothing(self):
         project = self.trimmed_project()
         job = self.folder / "film.json"

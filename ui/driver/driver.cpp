@@ -131,11 +131,15 @@ Status Driver::wheel(std::string_view path, float steps) {
 
 Status Driver::type(std::string_view path, std::string_view text) {
   TROCAR_ASSIGN_OR_RETURN(const Item found, item(path));
-  if (found.role != "field") {
-    return fail(ErrorCode::kInvalidArgument,
-                fmt::format("{} is a {} and takes no text; type goes to a field", in_quotes(found.path), found.role));
+  const bool slider = found.role == "slider";
+  if (found.role != "field" && !slider) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("{} is a {} and takes no text; type goes to a field or slider",
+                                                         in_quotes(found.path), found.role));
   }
+  // A slider takes a number when it is clicked with Ctrl.
+  if (slider) TROCAR_RETURN_IF_ERROR(held("Ctrl", true));
   TROCAR_RETURN_IF_ERROR(click(path));
+  if (slider) TROCAR_RETURN_IF_ERROR(held("Ctrl", false));
   TROCAR_RETURN_IF_ERROR(key("Ctrl+A"));
   if (text.empty()) TROCAR_RETURN_IF_ERROR(key("Delete"));
   for (const std::uint32_t codepoint : codepoints(text)) session_.window().input().push(Typed{codepoint});

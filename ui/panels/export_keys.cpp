@@ -26,7 +26,8 @@ void take_orbit(CameraPath& path, const scene::OrbitCamera& orbit) {
   path.distance_m = std::clamp(orbit.distance_m, 0.02, 1.0);
 }
 
-void draw_keys(Ui& ui, CameraPath& path) {
+void draw_camera_keys(Ui& ui, CameraPath& path) {
+  static const std::vector<std::string> kEases{"Even", "Smooth", "Hold", "Spline"};
   const Scope scope(ui, "Keys");
   std::size_t removed = path.keys.size();
   for (std::size_t i = 0; i < path.keys.size(); ++i) {
@@ -40,12 +41,21 @@ void draw_keys(Ui& ui, CameraPath& path) {
     const std::string from =
         fmt::format("from {:.0f}, {:.0f}, {:.0f} mm", 1e3 * key.eye_m[0], 1e3 * key.eye_m[1], 1e3 * key.eye_m[2]);
     note_item(ui, "text", name, from, {});
-    ImGui::SameLine(left + ui.px(80));
+    ImGui::SameLine(left + ui.px(70));
+    const float words = wide - ui.px(70) - ui.px(38) - ui.px(110);
     {
       const ColourScope colour(ImGuiCol_Text, ui.theme().text_dim);
-      ImGui::TextUnformatted(fitted(from, wide - ui.px(120)).c_str());
+      ImGui::TextUnformatted(fitted(from, std::max(ui.px(20), words)).c_str());
     }
     const Scope own(ui, name);
+    ImGui::SameLine(left + wide - ui.px(38) - ui.px(104));
+    auto ease = static_cast<int>(key.ease);
+    if (combo(ui, "Ease", ease, kEases,
+              {.help = "How the camera goes on to the next key",
+               .reason = i + 1 == path.keys.size() ? "Nothing comes after the last key" : "",
+               .width = ui.px(104)})) {
+      path.keys[i].ease = static_cast<film::Ease>(ease);
+    }
     ImGui::SameLine(left + wide - ui.px(32));
     if (icon_button(ui, "Remove key",
                     {.icon = icon::kTrash,
@@ -83,7 +93,7 @@ void draw_film_camera(Ui& ui, const WorkbenchState& state, FilmDraft& draft, Req
       chosen.turn_s = static_cast<double>(turn);
     }
   }
-  if (chosen.view == View::kPoses) draw_keys(ui, chosen);
+  if (chosen.view == View::kPoses) draw_camera_keys(ui, chosen);
   command_button(ui, state, "film.key", "Add key from view", ButtonStyle::kNormal, requests);
   flow(button_width(ui, "Remove source", icon::kTrash), ui.px(6));
 }

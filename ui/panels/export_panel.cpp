@@ -15,6 +15,7 @@
 #include "ui/panels/common.h"
 #include "ui/panels/export_look.h"
 #include "ui/panels/export_queue.h"
+#include "ui/panels/export_tracks.h"
 
 namespace trocar::ui {
 namespace {
@@ -23,7 +24,7 @@ using workbench::Command;
 using workbench::FilmDraft;
 using workbench::FilmPreview;
 
-constexpr int kQueuePage = 3;
+constexpr int kQueuePage = 4;
 
 /// The picture in the largest rectangle of its shape that has room in `room`.
 Rect fitting(const Rect& room, const Image& picture) {
@@ -180,8 +181,9 @@ void ExportPanel::draw_file(Ui& ui, const WorkbenchState& state, FilmDraft& draf
 Requests ExportPanel::draw(Ui& ui, const WorkbenchState& state) {
   Requests requests;
   if (draw_no_project(ui, state, requests)) return requests;
-  static const std::vector<std::string> kPages{"Sources", "Look", "File", "Queue"};
-  segmented(ui, "Page", page_, kPages, {.help = "What is filmed, how, into which file, and what is being rendered"});
+  static const std::vector<std::string> kPages{"Sources", "Keys", "Look", "File", "Queue"};
+  segmented(ui, "Page", page_, kPages,
+            {.help = "What is filmed, what of it changes, how it looks, into which file, and what is being rendered"});
   ImGui::Dummy({0.0F, ui.px(4)});
   if (page_ == kQueuePage) {
     draw_film_queue(ui, state, requests);
@@ -192,8 +194,9 @@ Requests ExportPanel::draw(Ui& ui, const WorkbenchState& state) {
   ImGui::Dummy({0.0F, ui.px(4)});
   Requests asked;
   if (page_ == 0) draw_film_sources(ui, state, draft, added_, asked);
-  if (page_ == 1) draw_film_look(ui, draft.film);
-  if (page_ == 2) draw_file(ui, state, draft, asked);
+  if (page_ == 1) draw_film_tracks(ui, state, draft, keys_of_);
+  if (page_ == 2) draw_film_look(ui, draft.film);
+  if (page_ == 3) draw_file(ui, state, draft, asked);
   // What is asked for is asked of the film as it is now.
   if (draft != state.film) requests.emplace_back(Command{workbench::SetFilm{draft}});
   append(requests, std::move(asked));

@@ -22,6 +22,7 @@ class ExportPanel final : public Panel {
   void ask_for_preview(const WorkbenchState& state, Requests& requests);
 
   int page_ = 0;
+  int keys_of_ = 0;
   AddedSource added_;
   film::Composition asked_;  ///< What the picture was last asked for of …
   double asked_at_s_ = 0.0;

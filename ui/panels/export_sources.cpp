@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "engine/demonstration/curves.h"
 #include "engine/film/composition_words.h"
 #include "engine/learning/field.h"
+#include "engine/spatial/cell_text.h"
 #include "ui/format.h"
 #include "ui/icons.h"
 #include "ui/panels/common.h"
@@ -38,7 +41,7 @@ Subjects subjects_of(const workbench::Project& project, SourceKind kind) {
       subjects.names.push_back(unique(entry->name));
     }
   };
-  if (kind == SourceKind::kField) {
+  if (kind == SourceKind::kField || kind == SourceKind::kRollout) {
     add(project.models);
   } else {
     add(project.demonstrations);
@@ -47,32 +50,28 @@ Subjects subjects_of(const workbench::Project& project, SourceKind kind) {
   return subjects;
 }
 
-/// The name of what the source is of; what it says itself, if that is no id of the project.
-std::string name_of_source(const workbench::Project& project, const Source& source) {
-  if (!source.title.empty()) return source.title;
-  const Subjects subjects = subjects_of(project, source.kind);
-  const auto found = std::find(subjects.ids.begin(), subjects.ids.end(), source.of);
-  return found == subjects.ids.end() ? source.of
-                                     : subjects.names[static_cast<std::size_t>(found - subjects.ids.begin())];
-}
-
 std::string value_of_source(const Source& source) {
   if (source.kind == SourceKind::kField) return fmt::format("field, {}, {}", source.layer, source.slice);
   if (source.kind == SourceKind::kCurve) return "curve, " + source.curve;
+  if (source.kind == SourceKind::kRollout) {
+    return source.start ? fmt::format("rollout from {}", fmt::join(*source.start, ",")) : "rollout";
+  }
   return fmt::format("camera {}", film::word_of(film::kViews, source.camera.view));
 }
 
 void draw_added(Ui& ui, const WorkbenchState& state, FilmDraft& draft, AddedSource& added) {
-  static const std::vector<std::string> kKinds{"Recording", "Field", "Curve"};
+  static const std::vector<std::string> kKinds{"Recording", "Field", "Curve", "Rollout"};
   const Scope scope(ui, "Add");
   form_label(ui, "Kind");
   segmented(ui, "Kind", added.kind, kKinds,
-            {.help = "A demonstration or trial by a camera, a slice of a model's field, or a curve over time"});
+            {.help = "A demonstration or trial by a camera, a slice of a model's field, a curve over time, or what a "
+                     "model does in the simulator"});
   const auto kind = static_cast<SourceKind>(added.kind);
   Subjects subjects = subjects_of(*state.project, kind);
-  const std::string none = !subjects.ids.empty()        ? ""
-                           : kind == SourceKind::kField ? "There is no model yet"
-                                                        : "There is no demonstration yet";
+  const std::string none = !subjects.ids.empty() ? ""
+                           : kind == SourceKind::kField || kind == SourceKind::kRollout
+                               ? "There is no model yet"
+                               : "There is no demonstration yet";
   if (subjects.ids.empty()) subjects.names.emplace_back("–");
   if (added.of >= static_cast<int>(subjects.names.size())) added.of = 0;
   form_label(ui, "Of");
@@ -112,20 +111,85 @@ void draw_list(Ui& ui, const WorkbenchState& state, FilmDraft& draft) {
   }
 }
 
-void draw_field_source(Ui& ui, Source& source) {
+void draw_layer(Ui& ui, std::string& said) {
   static const std::vector<std::string> kLayers = [] {
     std::vector<std::string> names;
     for (const learning::Layer layer : learning::all_layers()) names.emplace_back(learning::to_string(layer));
     return names;
   }();
-  const auto found = std::find(kLayers.begin(), kLayers.end(), source.layer);
+  const auto found = std::find(kLayers.begin(), kLayers.end(), said);
   int layer = found == kLayers.end() ? -1 : static_cast<int>(found - kLayers.begin());
   form_label(ui, "Layer");
   if (combo(ui, "Layer", layer, kLayers, {.help = "What of the model is shown"})) {
-    source.layer = kLayers[static_cast<std::size_t>(layer)];
+    said = kLayers[static_cast<std::size_t>(layer)];
   }
+}
+
+void draw_slice(Ui& ui, std::string& said) {
   form_label(ui, "Slice");
-  text_field(ui, "Slice", source.slice, "z=11", {.help = "x=, y= or z= and the index of the cells"});
+  text_field(ui, "Slice", said, "z=11", {.help = "x=, y= or z= and the index of the cells; its keys move it"});
+}
+
+/// A slice of a model's field within the scene.
+void draw_scene_field(Ui& ui, const workbench::Project& project, Source& source) {
+  const Subjects subjects = subjects_of(project, SourceKind::kField);
+  std::vector<std::string> names{"None"};
+  names.insert(names.end(), subjects.names.begin(), subjects.names.end());
+  int chosen = 0;
+  if (source.field) {
+    const auto found = std::find(subjects.ids.begin(), subjects.ids.end(), source.field->of);
+    // One by name, or one that there is no more.
+    chosen = found == subjects.ids.end() ? -1 : static_cast<int>(found - subjects.ids.begin()) + 1;
+  }
+  form_label(ui, "Field");
+  if (combo(ui, "Field", chosen, names,
+            {.help = "A slice of a model's field in the scene",
+             .reason = subjects.ids.empty() ? "There is no model yet" : ""})) {
+    if (chosen == 0) {
+      source.field.reset();
+    } else {
+      if (!source.field) source.field.emplace();
+      source.field->of = subjects.ids[static_cast<std::size_t>(chosen) - 1];
+    }
+  }
+  if (!source.field) return;
+  draw_layer(ui, source.field->layer);
+  draw_slice(ui, source.field->slice);
+}
+
+void draw_rollout_source(Ui& ui, Source& source) {
+  std::string start = source.start ? fmt::format("{}", fmt::join(*source.start, ",")) : "";
+  form_label(ui, "Start");
+  if (!text_field(ui, "Start", start, "I,J,K: the expert's",
+                  {.help = "The cell in which it begins; nothing: where the model's first expert began"})) {
+    return;
+  }
+  if (start.empty()) source.start.reset();
+  if (const auto cell = spatial::coordinates_from(start)) source.start = {cell->x, cell->y, cell->z};
+}
+
+/// From when to when of its own time.
+void draw_gates(Ui& ui, const WorkbenchState& state, FilmDraft& draft) {
+  Source& source = draft.film.sources[draft.source];
+  const auto& preview = state.film_preview;
+  if (source.kind == SourceKind::kField || !preview || draft.source >= preview->spans_s.size()) return;
+  const auto [begin_s, end_s] = preview->spans_s[draft.source];
+  constexpr double kShortest_s = 0.1;
+  if (end_s - begin_s <= kShortest_s) return;
+  const auto slider = [&](std::string_view shown, std::optional<double>& gate, double low, double high, double usual,
+                          std::string_view help) {
+    auto value = static_cast<float>(gate.value_or(usual));
+    form_label(ui, shown);
+    if (!slider_float(ui, shown, value, static_cast<float>(low), static_cast<float>(high), "%.2f s", {.help = help})) {
+      return;
+    }
+    const double wanted = std::clamp(static_cast<double>(value), low, high);
+    gate = std::abs(wanted - usual) < 0.005 ? std::nullopt : std::optional<double>(wanted);
+  };
+  slider("From", source.in_s, begin_s, source.out_s.value_or(end_s) - kShortest_s, begin_s,
+         "Of its own time: where the film of it begins");
+  slider("To", source.out_s, source.in_s.value_or(begin_s) + kShortest_s, end_s, end_s,
+         "Of its own time: where the film of it ends");
 }
 
 void draw_curve_source(Ui& ui, Source& source) {
@@ -147,6 +211,14 @@ void draw_curve_source(Ui& ui, Source& source) {
 
 }  // namespace
 
+std::string name_of_source(const workbench::Project& project, const Source& source) {
+  if (!source.title.empty()) return source.title;
+  const Subjects subjects = subjects_of(project, source.kind);
+  const auto found = std::find(subjects.ids.begin(), subjects.ids.end(), source.of);
+  return found == subjects.ids.end() ? source.of
+                                     : subjects.names[static_cast<std::size_t>(found - subjects.ids.begin())];
+}
+
 void draw_film_sources(Ui& ui, const WorkbenchState& state, FilmDraft& draft, AddedSource& added, Requests& requests) {
   const Scope scope(ui, "Sources");
   draw_list(ui, state, draft);
@@ -155,9 +227,17 @@ void draw_film_sources(Ui& ui, const WorkbenchState& state, FilmDraft& draft, Ad
     const Scope chosen(ui, "Chosen");
     form_label(ui, "Title");
     text_field(ui, "Title", source.title, "Its name", {.help = "What the film calls it"});
-    if (source.kind == SourceKind::kField) draw_field_source(ui, source);
+    if (source.kind == SourceKind::kField) {
+      draw_layer(ui, source.layer);
+      draw_slice(ui, source.slice);
+    }
     if (source.kind == SourceKind::kCurve) draw_curve_source(ui, source);
-    if (source.kind == SourceKind::kRecording) draw_film_camera(ui, state, draft, requests);
+    if (source.kind == SourceKind::kRollout) draw_rollout_source(ui, source);
+    draw_gates(ui, state, draft);
+    if (source.kind == SourceKind::kRecording || source.kind == SourceKind::kRollout) {
+      draw_scene_field(ui, *state.project, source);
+      draw_film_camera(ui, state, draft, requests);
+    }
     if (button(ui, "Remove source", {.icon = icon::kTrash, .help = "The film is made without it"})) {
       draft = workbench::without_source(std::move(draft));
     }

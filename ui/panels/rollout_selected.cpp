@@ -106,6 +106,19 @@ void draw_selected_rollout(Ui& ui, const WorkbenchState& state, Requests& reques
     requests.emplace_back(workbench::Command{workbench::SetTrialStart{from}});
     requests.emplace_back(ShowWorkspace{Workspace::kTrials});
   }
+  if (button(ui, "Film it",
+             {.icon = icon::kFilm,
+              .help = "The workspace Export: this rollout, in the simulator, is a source of the film",
+              .reason = state.film.film.sources.size() >= 9 ? "A film has room for nine sources" : ""})) {
+    const spatial::CellCoordinates start = grid.coordinates(rollout.start);
+    film::Source source = film::recording_of(fmt::format("{}", insight.entry->id.value));
+    source.kind = film::SourceKind::kRollout;
+    source.start = {start.x, start.y, start.z};
+    workbench::FilmDraft draft = workbench::with_source(state.film, std::move(source));
+    if (draft.film.path.empty()) draft.film.path = (state.path.parent_path() / "film.mp4").string();
+    requests.emplace_back(workbench::Command{workbench::SetFilm{std::move(draft)}});
+    requests.emplace_back(ShowWorkspace{Workspace::kExport});
+  }
   flow(button_width(ui, "Deselect", icon::kCross), ui.px(6));
   if (button(ui, "Deselect", {.icon = icon::kCross, .help = "No rollout stands out", .style = ButtonStyle::kQuiet})) {
     select_start(state, std::nullopt, requests);

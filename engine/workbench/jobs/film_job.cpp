@@ -35,8 +35,10 @@ Status draw_all(FilmRenderer& renderer, Studio& studio, FilmSink& sink, Progress
 }  // namespace
 
 bool needs_models(const film::Composition& film) {
-  return std::any_of(film.sources.begin(), film.sources.end(),
-                     [](const film::Source& source) { return source.kind == film::SourceKind::kField; });
+  return std::any_of(film.sources.begin(), film.sources.end(), [](const film::Source& source) {
+    const bool of_model = source.kind == film::SourceKind::kField || source.kind == film::SourceKind::kRollout;
+    return of_model || source.field.has_value();
+  });
 }
 
 Result<FilmReport> render_film(const FilmJob& job, Progress& progress) {

@@ -12,9 +12,10 @@ Result<std::unique_ptr<FilmPane>> make_pane(const FilmSource& source, const Pane
     case film::SourceKind::kCurve:
       return CurvePane::create(source, look);
     case film::SourceKind::kRecording:
+    case film::SourceKind::kRollout:
       break;
   }
-  return std::unique_ptr<FilmPane>(std::make_unique<RecordingPane>(source, look));
+  return RecordingPane::create(source, look);
 }
 
 }  // namespace trocar::workbench

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/canvas/canvas.h"
+#include "engine/film/property.h"
 #include "engine/plot/colour_map.h"
 #include "engine/workbench/insight.h"
 #include "engine/workbench/jobs/field_job.h"
@@ -98,12 +99,8 @@ Image FieldPane::drawn(int index) const {
 }
 
 Result<Image> FieldPane::frame(Studio&, const PaneMoment& moment) {
-  int index = options_.slice->index;
-  for (const film::Track& track : source_.said.tracks) {
-    if (track.property != "slice") continue;
-    index = static_cast<int>(std::lround(film::value_at(track.keys, moment.film_s, index)));
-  }
-  index = std::clamp(index, 0, field_.grid.n - 1);
+  const int wanted = static_cast<int>(std::lround(film::value_of(source_.said, "slice", moment.film_s)));
+  const int index = std::clamp(wanted, 0, field_.grid.n - 1);
   if (index != last_index_) {
     last_ = drawn(index);
     write_titles(last_, source_, look_);

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/figure/field_figure.h"
+#include "engine/film/property.h"
+#include "engine/workbench/insight.h"
 #include "engine/workbench/jobs/film_camera.h"
 #include "engine/workbench/jobs/still_job.h"
 
@@ -37,6 +40,24 @@ const demonstration::SegmentSpan* span_at(const demonstration::Demonstration& sh
     if (at_s >= span.begin_s && at_s <= span.end_s) found = &span;
   }
   return found;
+}
+
+/// The colours of the layer's scale in so many steps, or of its classes.
+film::ColourKey key_of(const stage::FieldLayer& layer) {
+  constexpr int kSteps = 64;
+  film::ColourKey key;
+  key.classes = layer.field->categorical;
+  if (key.classes) {
+    key.colours = layer.colouring.categories;
+    key.words = layer.field->categories;
+    key.colours.resize(key.words.size());
+    return key;
+  }
+  for (int i = 0; i < kSteps; ++i) key.colours.push_back(layer.colouring.colour_at(i / (kSteps - 1.0)));
+  const auto words = [&](double position) { return fmt::format("{:.3g}", layer.colouring.scale.value(position)); };
+  key.words = {words(0.0), words(1.0)};
+  if (!layer.field->unit.empty()) key.words.back() += " " + layer.field->unit;
+  return key;
 }
 
 film::Band band_of(const PaneLook& look) {
@@ -74,6 +95,27 @@ RecordingPane::RecordingPane(FilmSource source, const PaneLook& look)
   }
 }
 
+Result<std::unique_ptr<FilmPane>> RecordingPane::create(const FilmSource& source, const PaneLook& look) {
+  std::unique_ptr<RecordingPane> pane(new RecordingPane(source, look));
+  TROCAR_RETURN_IF_ERROR(pane->add_field());
+  return pane;
+}
+
+Status RecordingPane::add_field() {
+  if (!source_.field_model) return {};
+  const film::SceneField& said = *source_.said.field;
+  FieldSettings settings;
+  TROCAR_ASSIGN_OR_RETURN(settings.layer, learning::layer_from(said.layer));
+  auto field = std::make_shared<const learning::Field>(field_of(*source_.field_model->model, settings.layer));
+  TROCAR_ASSIGN_OR_RETURN(const figure::Slice slice, figure::slice_from(said.slice, field->grid));
+  SceneSlice made;
+  made.axis = static_cast<std::size_t>(slice.axis);
+  made.layer = field_layer(std::move(field), settings);
+  made.colours = key_of(made.layer);
+  field_.emplace(std::move(made));
+  return {};
+}
+
 ViewRequest RecordingPane::view_at(const PaneMoment& moment) const {
   const double at_s = moment.instant.at_s;
   const Eigen::Vector3d followed = tips_ ? tips_->followed(at_s) : Eigen::Vector3d::Zero();
@@ -84,10 +126,19 @@ ViewRequest RecordingPane::view_at(const PaneMoment& moment) const {
   view.render = {look_.width, picture_height_, fine ? 4 : 1, true, fine};
   view.options.scale_bar = look_.overlays.has(Overlay::kScaleBar);
   if (tips_ && look_.overlays.has(Overlay::kTrail)) {
-    view.paths = std::make_shared<const std::vector<stage::PathLayer>>(tips_->trails(at_s));
+    const double length_s = film::value_of(source_.said, "trail", moment.film_s);
+    view.paths = std::make_shared<const std::vector<stage::PathLayer>>(tips_->trails(at_s, length_s));
   }
   if (moment.ghost != nullptr && look_.overlays.has(Overlay::kGhost)) {
     view.ghost = stage::pose_of(moment.ghost->sample_at(moment.ghost_s));
+    view.ghost_opacity = static_cast<float>(film::value_of(source_.said, "ghost", moment.film_s));
+  }
+  if (field_) {
+    view.fields = {field_->layer};
+    stage::FieldLayer& layer = view.fields.front();
+    const double index = film::value_of(source_.said, "slice", moment.film_s);
+    layer.slices[field_->axis] = std::clamp(static_cast<int>(std::lround(index)), 0, layer.field->grid.n - 1);
+    layer.opacity = static_cast<float>(film::value_of(source_.said, "field.opacity", moment.film_s));
   }
   return view;
 }
@@ -95,16 +146,29 @@ ViewRequest RecordingPane::view_at(const PaneMoment& moment) const {
 Result<Image> RecordingPane::picture(Studio& studio, const PaneMoment& moment) {
   const ViewRequest view = view_at(moment);
   const Eigen::Matrix4d X_WC = view.camera.X_WC.matrix();
+  const std::array<int, 3> slices = field_ ? view.fields.front().slices : std::array<int, 3>{};
+  const std::array<double, 6> numbers{view.camera.vertical_fov_rad,
+                                      view.camera.orthographic_height_m,
+                                      view.ghost_opacity,
+                                      view.paths ? film::value_of(source_.said, "trail", moment.film_s) : 0.0,
+                                      static_cast<double>(slices[field_ ? field_->axis : 0]),
+                                      field_ ? view.fields.front().opacity : 0.0};
   const bool same = !last_.image.empty() && last_.at_s == moment.instant.at_s && last_.ghost_s == moment.ghost_s &&
-                    last_.X_WC == X_WC;
+                    last_.numbers == numbers && last_.X_WC == X_WC;
   if (same) return last_.image;
   TROCAR_ASSIGN_OR_RETURN(Image image, studio.picture(view));
-  last_ = {moment.instant.at_s, moment.ghost_s, X_WC, std::move(image)};
+  last_ = {moment.instant.at_s, moment.ghost_s, numbers, X_WC, std::move(image)};
   return last_.image;
 }
 
-std::vector<std::string> RecordingPane::lines_at(double at_s) const {
+std::vector<std::string> RecordingPane::lines_at(const PaneMoment& moment) const {
+  const double at_s = moment.instant.at_s;
   std::vector<std::string> lines;
+  if (field_) {
+    constexpr std::array<char, 3> kAxes{'x', 'y', 'z'};
+    lines.push_back(fmt::format("{} of {}, {} = {:.0f}", field_->layer.field->title, source_.field_model->name,
+                                kAxes[field_->axis], film::value_of(source_.said, "slice", moment.film_s)));
+  }
   if (tips_ && look_.overlays.has(Overlay::kMetrics)) {
     lines.push_back(fmt::format("speed {:.0f} mm/s", 1000.0 * tips_->speed_m_s(at_s)));
     lines.push_back(fmt::format("path {:.0f} mm", 1000.0 * tips_->path_m(at_s)));
@@ -131,11 +195,13 @@ film::FrameCaption RecordingPane::captions(const PaneMoment& moment) const {
   caption.provenance = source_.provenance;
   caption.scripted = source_.scripted;
   caption.shown = look_.overlays;
-  if (!look_.inset) caption.lines = lines_at(at_s);
+  if (!look_.inset) caption.lines = lines_at(moment);
+  if (field_ && !look_.inset && look_.overlays.has(Overlay::kColourBar)) caption.colours = field_->colours;
   caption.lines_at_right = look_.lines_at_right;
   if (look_.overlays.has(Overlay::kCaptions) && !look_.inset) caption.caption = caption_at(moment.instant);
   if (moment.instant.waiting) caption.status = "waiting";
   if (moment.instant.over) caption.status = "finished";
+  if (!source_.ending.empty() && at_s >= source_.ends_s) caption.status = source_.ending;
   return caption;
 }
 

@@ -1,10 +1,11 @@
 #include "engine/workbench/jobs/film_source.h"
-#include "engine/workbench/trial_results.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+
+#include "engine/workbench/trial_results.h"
 
 namespace trocar::workbench {
 namespace {
@@ -57,6 +58,20 @@ void count_before(const Project& project, FilmSource& source) {
   }
 }
 
+/// What of it is filmed.
+Status keep_gates(FilmSource& source) {
+  const demonstration::Demonstration& shown = *source.shown;
+  if (shown.gated().empty()) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" has no samples to film", shown.name));
+  }
+  source.in_s = std::max(shown.begin_s, source.said.in_s.value_or(shown.begin_s));
+  source.out_s = std::min(shown.end_s, source.said.out_s.value_or(shown.end_s));
+  if (source.in_s < source.out_s) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("\"{}\" lasts from {:.3f} to {:.3f} s: its gates in the film leave nothing", shown.name,
+                          shown.begin_s, shown.end_s));
+}
+
 Status find_recording(const Project& project, FilmSource& source) {
   TROCAR_ASSIGN_OR_RETURN(source.trial, find_in(project.trials, source.said.of));
   if (source.trial) {
@@ -71,50 +86,80 @@ Status find_recording(const Project& project, FilmSource& source) {
     }
     source.title = source.shown->name;
   }
-  const demonstration::Demonstration& shown = *source.shown;
-  if (shown.gated().empty()) {
-    return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" has no samples to film", shown.name));
-  }
-  source.in_s = std::max(shown.begin_s, source.said.in_s.value_or(shown.begin_s));
-  source.out_s = std::min(shown.end_s, source.said.out_s.value_or(shown.end_s));
-  if (source.in_s >= source.out_s) {
-    return fail(ErrorCode::kInvalidArgument, fmt::format("\"{}\" lasts from {:.3f} to {:.3f} s: its gates in the film "
-                                                         "leave nothing",
-                                                         shown.name, shown.begin_s, shown.end_s));
-  }
-  source.scripted = is_scripted(shown) || (source.trial && source.trial->record.operator_kind == "scripted");
-  source.provenance = provenance_of(shown);
+  TROCAR_RETURN_IF_ERROR(keep_gates(source));
+  source.scripted = is_scripted(*source.shown) || (source.trial && source.trial->record.operator_kind == "scripted");
+  source.provenance = provenance_of(*source.shown);
   if (source.trial && !source.scripted && source.trial->record.assistant == "scripted") {
     source.provenance += ", right arm by a script";
   }
   return {};
 }
+/// One that was read whole.
+Result<std::shared_ptr<const ModelEntry>> whole_model(const Project& project, const std::string& text) {
+  TROCAR_ASSIGN_OR_RETURN(std::shared_ptr<const ModelEntry> model, find_in(project.models, text));
+  if (!model) return fail(ErrorCode::kNotFound, fmt::format("no model is \"{}\"", text));
+  if (!model->model) {
+    return fail(ErrorCode::kInvalidArgument, fmt::format("the model \"{}\" was not read", model->name));
+  }
+  return model;
+}
 
-Status find_model(const Project& project, FilmSource& source) {
-  TROCAR_ASSIGN_OR_RETURN(source.model, find_in(project.models, source.said.of));
-  if (!source.model) return fail(ErrorCode::kNotFound, fmt::format("no model is \"{}\"", source.said.of));
-  if (!source.model->model) {
-    return fail(ErrorCode::kInvalidArgument, fmt::format("the model \"{}\" was not read", source.model->name));
-  }
-  source.title = source.model->name;
-  for (const DemonstrationId id : source.model->demonstrations) {
+bool by_scripts(const Project& project, const ModelEntry& model) {
+  return std::any_of(model.demonstrations.begin(), model.demonstrations.end(), [&](DemonstrationId id) {
     const auto found = project.demonstrations.find(id);
-    source.scripted = source.scripted || (found != project.demonstrations.end() && is_scripted(*found->second));
-  }
+    return found != project.demonstrations.end() && is_scripted(*found->second);
+  });
+}
+
+Status find_field(const Project& project, FilmSource& source) {
+  TROCAR_ASSIGN_OR_RETURN(source.model, whole_model(project, source.said.of));
+  source.title = source.model->name;
+  source.scripted = by_scripts(project, *source.model);
   source.provenance = fmt::format("{}, {}", source.scripted ? "learned from scripted demonstrations" : "learned",
                                   hash_words(source.model->model_hash));
   return {};
 }
 
+Status find_rollout(const Project& project, FilmSource& source, RolloutShelf& shelf) {
+  TROCAR_ASSIGN_OR_RETURN(source.model, whole_model(project, source.said.of));
+  TROCAR_ASSIGN_OR_RETURN(const FilmedRollout rollout, shelf.rollout(project, *source.model, source.said.start));
+  source.shown = rollout.shown;
+  source.title = rollout.shown->name;
+  source.ending = trial::to_string(rollout.result.end);
+  source.ends_s = rollout.result.duration_s;
+  source.scripted = by_scripts(project, *source.model);
+  source.provenance =
+      fmt::format("rollout in the simulator, seed {}, {}{}, {}", rollout.shown->recording->provenance.seed,
+                  source.scripted ? "learned from scripted demonstrations, " : "",
+                  rollout.shown->recording->provenance.software, hash_words(source.model->model_hash));
+  return keep_gates(source);
+}
+
+Status find_source(const Project& project, FilmSource& source, RolloutShelf& shelf) {
+  if (source.said.field) {
+    TROCAR_ASSIGN_OR_RETURN(source.field_model, whole_model(project, source.said.field->of));
+  }
+  switch (source.said.kind) {
+    case film::SourceKind::kField:
+      return find_field(project, source);
+    case film::SourceKind::kRollout:
+      return find_rollout(project, source, shelf);
+    case film::SourceKind::kRecording:
+    case film::SourceKind::kCurve:
+      break;
+  }
+  return find_recording(project, source);
+}
+
 }  // namespace
 
-Result<std::vector<FilmSource>> film_sources(const Project& project, const film::Composition& film) {
+Result<std::vector<FilmSource>> film_sources(const Project& project, const film::Composition& film,
+                                             RolloutShelf& shelf) {
   std::vector<FilmSource> sources;
   for (const film::Source& said : film.sources) {
     FilmSource source;
     source.said = said;
-    TROCAR_RETURN_IF_ERROR(said.kind == film::SourceKind::kField ? find_model(project, source)
-                                                                 : find_recording(project, source));
+    TROCAR_RETURN_IF_ERROR(find_source(project, source, shelf));
     if (!said.title.empty()) source.title = said.title;
     sources.push_back(std::move(source));
   }

@@ -9,7 +9,6 @@ namespace trocar::workbench {
 namespace {
 
 constexpr double kApart_s = 0.0199;
-constexpr double kTrail_s = 4.0;
 
 }  // namespace
 
@@ -50,10 +49,10 @@ double FilmTips::path_m(double at_s) const {
   return path_m_.empty() ? 0.0 : path_m_[index_at(at_s)];
 }
 
-std::vector<stage::PathLayer> FilmTips::trails(double at_s) const {
+std::vector<stage::PathLayer> FilmTips::trails(double at_s, double length_s) const {
   std::vector<stage::PathLayer> layers;
   if (t_s_.empty()) return layers;
-  const auto first = static_cast<std::ptrdiff_t>(index_at(at_s - kTrail_s));
+  const auto first = static_cast<std::ptrdiff_t>(index_at(at_s - length_s));
   const auto end = static_cast<std::ptrdiff_t>(index_at(at_s)) + 1;
   for (std::size_t arm = 0; arm < 2; ++arm) {
     stage::PathLayer layer;

@@ -22,8 +22,8 @@ class FilmTips {
   double speed_m_s(double at_s) const;
   /// Of the left tool, since the begin.
   double path_m(double at_s) const;
-  /// Of both tools, the last four seconds.
-  std::vector<stage::PathLayer> trails(double at_s) const;
+  /// Of both tools, of the time before.
+  std::vector<stage::PathLayer> trails(double at_s, double length_s) const;
 
  private:
   /// The first point at or after an instant, at most the last.

@@ -22,7 +22,7 @@ Composition rich() {
   film.fps = 12.5;
   film.codec = "ffv1";
   film.quality = Quality::kFine;
-  film.layout = Layout::kPictureInPicture;
+  film.layout = Layout::kTwoByTwo;
   film.corner = Corner::kTopLeft;
   film.share = 0.25;
   Source first;
@@ -30,8 +30,13 @@ Composition rich() {
   first.title = "Shared";
   first.in_s = 0.5;
   first.out_s = 4.0;
-  first.camera = {View::kPoses, 0.1, 0.2, 0.3, -4.0, {{0.0, {0.1, 0.2, 0.3}, {0, 0, 0}, Ease::kHold}, {2.0}}};
-  first.tracks = {{"orbit.yaw", {{0.0, 1.0, Ease::kSmooth}, {2.0, -1.0}}}};
+  first.camera = {View::kPoses, 0.1, 0.2, 0.3, -4.0, 1.5, {{0.0, {0.1, 0.2, 0.3}, {0, 0, 0}, Ease::kHold}, {2.0}}};
+  first.tracks = {{"orbit.yaw", {{0.0, 1.0, Ease::kSmooth}, {2.0, -1.0}}},
+                  {"brightness", {{0.0, 0.0, Ease::kSpline}, {1.0, 1.0}}}};
+  first.field = SceneField{"C exact", "margin", "y=4", 0.5};
+  first.trail_s = 2.5;
+  first.ghost = 0.6;
+  first.brightness = 0.9;
   Source second;
   second.kind = SourceKind::kField;
   second.of = "A exact";
@@ -39,7 +44,12 @@ Composition rich() {
   second.slice = "x=3";
   second.curve = "jaw";
   second.tracks = {{"slice", {{0.0, 1.0}, {3.0, 20.0}}}};
-  film.sources = {first, second};
+  Source third;
+  third.kind = SourceKind::kRollout;
+  third.of = "A exact";
+  third.start = {3, 4, 5};
+  film.sources = {first, second, third};
+  film.share_keys = {{0.0, 0.2, Ease::kSpline}, {4.0, 0.4}};
   film.pace = {2.0, {{0.0, 1.0, Ease::kSmooth}, {1.0, 4.0}}, {{0.5, 1.0}}, 3, Sync::kGrasp};
   film.overlays = {};
   film.overlays.set(Overlay::kGhost);
@@ -69,8 +79,19 @@ TEST_CASE("a job with a slip of the pen is refused, and the sentence says where"
            {R"({"sources": [{"of": "1"}], "width": 3.5})", "width"},
            {R"({"sources": [{"of": "1"}], "layout": "4x4"})", "3x3"},
            {R"({"sources": [{"of": "1"}], "overlays": ["colour"]})", "colour-bar"},
-           {R"({"sources": [{"of": "1"}], "tracks": [{"property": "zoom", "keys": []}]})", "zoom"},
-           {R"({"sources": [{"of": "1", "tracks": [{"property": "zoom", "keys": []}]}]})", "zoom"},
+           {R"({"sources": [{"of": "1"}], "tracks": [{"property": "hue", "keys": []}]})", "hue"},
+           {R"({"sources": [{"of": "1", "tracks": [{"property": "hue", "keys": []}]}]})", "brightness"},
+           {R"({"sources": [{"of": "1", "tracks": [{"property": "ghost", "keys": [{"t": 1, "value": 2}]}]}]})",
+            "ghost"},
+           {R"({"sources": [{"of": "1"}], "tracks": [{"property": "share", "keys": [{"t": 0, "value": 2}]}]})",
+            "share"},
+           {R"({"sources": [{"of": "1", "brightness": 1.5}]})", "brightness"},
+           {R"({"sources": [{"of": "1", "camera": {"zoom": 0}}]})", "zoom"},
+           {R"({"sources": [{"of": "1", "field": {"layer": "value"}}]})", "which model"},
+           {R"({"sources": [{"of": "1", "kind": "curve", "field": {"of": "2"}}]})", "no scene"},
+           {R"({"sources": [{"of": "1", "start": [1, 2, 3]}]})", "no rollout"},
+           {R"({"sources": [{"of": "1", "kind": "rollout", "start": [1, 2, 3.5]}]})", "whole"},
+           {R"({"sources": [{"of": "1", "kind": "rollout", "start": [1, 2, -3]}]})", "outside"},
            {R"({"sources": [{"of": "1"}], "time": {"speed": 0}})", "speed"},
            {R"({"sources": [{"of": "1", "tracks": [{"property": "slice", "keys": [{"t": 1}, {"t": 1}]}]}]})", "after"},
            {R"({"sources": []})", "shows 1"},

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "engine/film/property.h"
 #include "engine/learning/model.h"
 #include "engine/media/picture_file.h"
 #include "engine/media/video_writer.h"
@@ -107,6 +108,50 @@ Rgba authority_at(const Image& frame, const film::Cell& cell) {
   const double unit = film::unit_of(band, cell.width, cell.height);
   const int top = cell.y + cell.height - film::band_height_of(band, cell.width, cell.height);
   return frame.at(cell.x + static_cast<int>((film::kMargin + 170.0) * unit), top + static_cast<int>(34.0 * unit));
+}
+
+/// With the model "A exact", 9, of a descent from the cell 4,4,14 to 9,8,9.
+std::shared_ptr<const Project> project_with_model() {
+  auto with_model = std::make_shared<Project>(*project());
+  auto entry = std::make_shared<ModelEntry>();
+  entry->id = {9};
+  entry->name = "A exact";
+  entry->demonstrations = {{1}};
+  learning::TrainOptions options;
+  options.method = learning::Method::kExact;
+  Progress progress;
+  const spatial::Grid grid;
+  auto model = learning::train(grid, {trocar::testing::approach_from_above(grid, {4, 4, 14}, {9, 8, 9}, 3, 1)}, options,
+                               progress);
+  REQUIRE_MESSAGE(model, (model ? "" : model.error().text()));
+  entry->model = std::make_shared<const learning::Model>(std::move(*model));
+  with_model->models[entry->id] = entry;
+  return with_model;
+}
+
+std::vector<Image> frames_with_model(const film::Composition& film, const std::vector<int>& numbers) {
+  Diagnostics diagnostics;
+  auto renderer = FilmRenderer::create(film, *project_with_model(), diagnostics);
+  REQUIRE_MESSAGE(renderer, (renderer ? "" : renderer.error().text()));
+  auto studio = Studio::create();
+  REQUIRE(studio);
+  std::vector<Image> frames;
+  for (const int number : numbers) frames.push_back(renderer->frame(*studio, number).value());
+  return frames;
+}
+
+/// How many pixels differ.
+std::size_t changed_pixels(const Image& a, const Image& b) {
+  REQUIRE(a.rgba.size() == b.rgba.size());
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+    changed +=
+        std::equal(a.rgba.begin() + static_cast<std::ptrdiff_t>(i), a.rgba.begin() + static_cast<std::ptrdiff_t>(i + 4),
+                   b.rgba.begin() + static_cast<std::ptrdiff_t>(i))
+            ? 0
+            : 1;
+  }
+  return changed;
 }
 
 std::ptrdiff_t files_in(const std::filesystem::path& folder) {
@@ -332,21 +377,7 @@ TEST_CASE("cameras move as they are told") {
 }
 
 TEST_CASE("fields and curves stand beside the scene, and a picture lies in another") {
-  auto with_model = std::make_shared<Project>(*project());
-  auto entry = std::make_shared<ModelEntry>();
-  entry->id = {9};
-  entry->name = "A exact";
-  entry->demonstrations = {{1}};
-  learning::TrainOptions options;
-  options.method = learning::Method::kExact;
-  Progress progress;
-  const spatial::Grid grid;
-  auto model = learning::train(grid, {trocar::testing::approach_from_above(grid, {4, 4, 14}, {9, 8, 9}, 3, 1)}, options,
-                               progress);
-  REQUIRE_MESSAGE(model, (model ? "" : model.error().text()));
-  entry->model = std::make_shared<const learning::Model>(std::move(*model));
-  with_model->models[entry->id] = entry;
-
+  const std::shared_ptr<const Project> with_model = project_with_model();
   film::Composition film = small({"Long", "Long", "Long"});
   film.layout = film::Layout::kTwoByTwo;
   film.sources[1].kind = film::SourceKind::kCurve;
@@ -382,6 +413,92 @@ TEST_CASE("fields and curves stand beside the scene, and a picture lies in anoth
   const film::Cell inset = film::cells_of(film, 640, 360)[1];
   CHECK(inside.at(inset.x + inset.width - 4, inset.y + inset.height / 2) == Rgba{255, 255, 255, 255});
   CHECK_FALSE(inside.at(inset.x + inset.width + 8, inset.y + inset.height / 2) == Rgba{255, 255, 255, 255});
+}
+
+TEST_CASE("a rollout is filmed in the simulator, with its field in the scene and how it ended") {
+  film::Composition film = small({"A exact"});
+  film.sources[0].kind = film::SourceKind::kRollout;
+  CHECK(needs_models(film));
+  Diagnostics diagnostics;
+  RolloutShelf shelf;
+  auto renderer = FilmRenderer::create(film, *project_with_model(), diagnostics, &shelf);
+  REQUIRE_MESSAGE(renderer, (renderer ? "" : renderer.error().text()));
+  REQUIRE(renderer->spans_s().size() == 1);
+  CHECK(renderer->spans_s()[0][1] > 1.0);
+  auto studio = Studio::create();
+  REQUIRE(studio);
+  const Image begins = renderer->frame(*studio, 0).value();
+  const Image ends = renderer->frame(*studio, renderer->frame_count() - 1).value();
+  CHECK(changed_pixels(begins, ends) > 500);
+  // Taken from the shelf it is the same film.
+  auto again = FilmRenderer::create(film, *project_with_model(), diagnostics, &shelf);
+  REQUIRE(again);
+  CHECK(again->frame(*studio, 0).value() == begins);
+
+  film.sources[0].field = film::SceneField{"9", "value", "z=9"};
+  const Image with_field = frames_with_model(film, {0})[0];
+  CHECK(changed_pixels(begins, with_field) > 2000);
+  film.sources[0].start = {5, 5, 14};
+  CHECK(changed_pixels(frames_with_model(film, {0})[0], with_field) > 200);
+  film.sources[0].start = {5, 5, 99};
+  CHECK_FALSE(FilmRenderer::create(film, *project_with_model(), diagnostics));
+  film.sources[0].start.reset();
+  film.sources[0].field->layer = "colour";
+  CHECK_FALSE(FilmRenderer::create(film, *project_with_model(), diagnostics));
+}
+
+TEST_CASE("whatever number of a source has keys, what is seen changes with it") {
+  film::Composition film = small({"Long", "Short"});
+  film.pace.holds = {{2.0, 3.0}};
+  film.overlays.set(Overlay::kTrail);
+  film.overlays.set(Overlay::kGhost);
+  film::Source& source = film.sources[0];
+  source.camera.view = film::View::kOrbit;
+  source.field = film::SceneField{"A exact", "value", "z=9"};
+  // In the hold nothing moves but what the keys move.
+  const std::vector<int> held{21, 49};
+  const std::vector<Image> still = frames_with_model(film, held);
+  CHECK(still[0] == still[1]);
+  for (const film::Property& property : film::all_source_properties()) {
+    CAPTURE(property.name);
+    film::Composition moving = film;
+    const double from = property.name == "slice" ? 5.0 : film::fixed_value(source, property.name);
+    const double to = property.name == "slice" ? 12.0 : property.name == "zoom" ? 2.0 : from > 0.05 ? 0.1 * from : 0.5;
+    film::set_keys(moving.sources[0], property.name, {{2.1, from}, {4.9, to}});
+    const std::vector<Image> frames = frames_with_model(moving, held);
+    // Of the trail little: the tool is slow.
+    CHECK(changed_pixels(frames[0], frames[1]) > 10);
+  }
+}
+
+TEST_CASE("a film can come from black, and an inset can grow") {
+  film::Composition film = small({"Long", "Short"});
+  film.layout = film::Layout::kPictureInPicture;
+  film.overlays = {};
+  film.sources[0].tracks = {{"brightness", {{0.0, 0.0}, {1.0, 1.0}}}};
+  film.sources[1].tracks = film.sources[0].tracks;
+  const std::vector<Image> fade = frames_with_model(film, {0, 20});
+  CHECK(fade[0].at(20, 20) == Rgba{0, 0, 0, 255});
+  CHECK_FALSE(fade[1].at(20, 20) == Rgba{0, 0, 0, 255});
+  for (film::Source& each : film.sources) each.tracks.clear();
+  film.share_keys = {{0.0, 0.2}, {2.0, 0.5}};
+  film::Composition fixed = film;
+  fixed.share_keys.clear();
+  fixed.share = 0.5;
+  const std::vector<Image> grown = frames_with_model(film, {20, 0, 20});
+  CHECK(grown[0] == frames_with_model(fixed, {20})[0]);
+  CHECK(grown[0] == grown[2]);
+  fixed.share = 0.2;
+  CHECK(grown[1] == frames_with_model(fixed, {0})[0]);
+}
+
+TEST_CASE("keys that change nothing are told") {
+  film::Composition film = small({"Long"});
+  film.sources[0].tracks = {{"slice", {{0.0, 3.0}}}};
+  Diagnostics diagnostics;
+  REQUIRE(FilmRenderer::create(film, *project(), diagnostics));
+  REQUIRE(diagnostics.warnings().size() == 1);
+  CHECK(diagnostics.warnings()[0].find("slice") != std::string::npos);
 }
 
 TEST_CASE("what is not there, and what leaves nothing, is refused before a file is made") {
