@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/trial/sampling.h"
+#include "engine/trial/provenance.h"
 
 namespace trocar::trial {
 namespace {
@@ -68,14 +68,9 @@ Status check(const HandOptions& options) {
 }
 
 demonstration::Provenance provenance_of(const HandOptions& options, const simulation::WorldOptions& world) {
-  demonstration::Provenance provenance;
+  demonstration::Provenance provenance = provenance_on(world, options.seed, options.block, options.goal);
   provenance.operator_kind = options.operator_kind;
   provenance.device = device_of(options);
-  provenance.seed = options.seed;
-  provenance.block = options.block;
-  provenance.goal = options.goal;
-  provenance.scene_hash = scene_hash(world);
-  provenance.software = kSoftware;
   return provenance;
 }
 

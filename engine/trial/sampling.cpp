@@ -1,8 +1,5 @@
 #include "engine/trial/sampling.h"
 
-#include "engine/core/hash.h"
-#include "engine/peg_board/peg_board.h"
-
 namespace trocar::trial {
 
 using demonstration::CompactPose;
@@ -28,18 +25,6 @@ demonstration::Sample make_sample(const simulation::WorldState& state, const Sam
   sample.authority = context.authority;
   sample.segment = context.segment;
   return sample;
-}
-
-std::string scene_hash(const simulation::WorldOptions& options) {
-  Hasher hasher;
-  hasher.value(options.seed).value(options.jaw_friction).value(options.scene_friction);
-  hasher.value(options.grip_torque_nm).value(options.ticks_per_second);
-  for (int i = 0; i < peg_board::kBlockCount; ++i) {
-    for (const Eigen::Vector3d& foot : {peg_board::start_peg(i), peg_board::goal_peg(i)}) {
-      hasher.value(foot.x()).value(foot.y()).value(foot.z());
-    }
-  }
-  return to_hex(hasher.digest());
 }
 
 control::ToolCommand setpoint_of(const simulation::WorldState& state, ArmSide side) {

@@ -1,11 +1,10 @@
 /// From the world's state to a sample of a recording.
 #pragma once
 
-#include <string>
-#include <string_view>
+#include <array>
 
 #include "engine/demonstration/recording.h"
-#include "engine/simulation/world.h"
+#include "engine/simulation/world_state.h"
 #include "engine/trial/arm_drive.h"
 #include "engine/trial/task.h"
 
@@ -23,12 +22,8 @@ struct SampleContext {
 
 demonstration::Sample make_sample(const simulation::WorldState& state, const SampleContext& context);
 
-/// Of what a world is made of, to tell whether two recordings are of the same scene.
-std::string scene_hash(const simulation::WorldOptions& options);
 /// Where the arm was last told to be.
 control::ToolCommand setpoint_of(const simulation::WorldState& state, kinematics::ArmSide side);
-/// What made the recording, for `Provenance::software`.
-constexpr std::string_view kSoftware = "trocar 0.1.0";
 
 /// The setpoint as it was recorded, bit for bit.
 control::ToolCommand recorded_setpoint(const demonstration::ArmSample& arm);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/trial/arm_drive.h"
+#include "engine/trial/provenance.h"
 #include "engine/trial/sampling.h"
 #include "engine/trial/scripted_assistant.h"
 #include "engine/trial/scripted_user.h"
@@ -22,15 +23,10 @@ using kinematics::ArmSide;
 constexpr Tick kTail{1000};  ///< Recorded after everything is done.
 
 demonstration::Provenance provenance_of(const TransferOptions& options, const simulation::WorldOptions& world) {
-  demonstration::Provenance provenance;
+  demonstration::Provenance provenance = provenance_on(world, options.seed, options.block, options.goal);
   provenance.operator_kind = "scripted";
   provenance.skill = to_string(options.skill);
   provenance.device = "scripted hand";
-  provenance.seed = options.seed;
-  provenance.block = options.block;
-  provenance.goal = options.goal;
-  provenance.scene_hash = scene_hash(world);
-  provenance.software = kSoftware;
   return provenance;
 }
 

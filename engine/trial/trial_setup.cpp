@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/control/tool_mapping.h"
-#include "engine/trial/sampling.h"
+#include "engine/trial/provenance.h"
 
 namespace trocar::trial {
 
@@ -43,15 +43,10 @@ simulation::WorldOptions world_options(const TrialOptions& options) {
 demonstration::Provenance provenance_of(const TrialOptions& options, const simulation::WorldOptions& world,
                                         const TrialInputs& inputs) {
   const bool by_skill = inputs.user == nullptr;
-  demonstration::Provenance provenance;
+  demonstration::Provenance provenance = provenance_on(world, options.seed, options.block, options.goal);
   provenance.operator_kind = by_skill || inputs.scripted ? "scripted" : "person";
   if (by_skill) provenance.skill = to_string(options.skill);
   provenance.device = by_skill ? "scripted hand" : std::string(inputs.user->name());
-  provenance.seed = options.seed;
-  provenance.block = options.block;
-  provenance.goal = options.goal;
-  provenance.scene_hash = scene_hash(world);
-  provenance.software = kSoftware;
   return provenance;
 }
 
