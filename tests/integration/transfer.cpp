@@ -8,6 +8,7 @@
 #include "engine/spatial/grid.h"
 #include "engine/trial/skill.h"
 #include "engine/trial/transfer_session.h"
+#include "tests/support/session_recording.h"
 
 using namespace trocar;
 using demonstration::Outcome;
@@ -23,14 +24,7 @@ Recording record(const TransferOptions& options) {
   auto session = TransferSession::create(options);
   REQUIRE(session.has_value());
   while (!session->done()) session->step();
-  Recording recording;
-  recording.provenance = session->provenance();
-  recording.outcome = session->outcome();
-  recording.placed = session->placed();
-  recording.initial_world = session->initial_world();
-  recording.samples = session->take_samples();
-  recording.hashes = session->take_marks();
-  return recording;
+  return testing::recording_of(*session);
 }
 
 trial::ReplayResult replayed(const Recording& recording) {

@@ -7,6 +7,7 @@
 
 #include "engine/demonstration/demonstration.h"
 #include "engine/trial/transfer_session.h"
+#include "tests/support/session_recording.h"
 
 namespace trocar::testing {
 
@@ -20,13 +21,7 @@ inline demonstration::Demonstration transfer(std::uint64_t seed, int block = 0, 
   options.goal = goal;
   trial::TransferSession session = trial::TransferSession::create(options).value();
   while (!session.done()) session.step();
-  auto recording = std::make_shared<demonstration::Recording>();
-  recording->provenance = session.provenance();
-  recording->initial_world = session.initial_world();
-  recording->samples = session.take_samples();
-  recording->hashes = session.take_marks();
-  recording->outcome = session.outcome();
-  recording->placed = session.placed();
+  auto recording = std::make_shared<demonstration::Recording>(recording_of(session));
   const demonstration::Demonstration document =
       demonstration::make_demonstration({1}, "Transfer", std::move(recording)).value();
   known.emplace(std::pair{seed, 10 * block + goal}, document);

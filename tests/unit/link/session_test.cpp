@@ -10,6 +10,7 @@
 
 #include "engine/link/hand_script.h"
 #include "engine/trial/scripted_user.h"
+#include "tests/support/session_recording.h"
 #include "tests/support/trial_agents.h"
 #include "tests/support/virtual_link.h"
 
@@ -71,10 +72,7 @@ Trace run(const TrialOptions& options, OperatorInput& input) {
     trace.states.push_back(session->trial_status()->state);
     trace.p_W.push_back(session->state().arms[0].setpoint.X_WT.p);
   }
-  trace.recording.provenance = session->provenance();
-  trace.recording.initial_world = *session->take_initial_world();
-  trace.recording.samples = session->take_samples();
-  trace.recording.hashes = session->take_marks();
+  trace.recording = trocar::testing::recording_of(*session);
   trace.events = session->take_events();
   return trace;
 }

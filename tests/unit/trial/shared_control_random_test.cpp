@@ -9,6 +9,7 @@
 #include "engine/control/setpoint_limiter.h"
 #include "engine/core/random.h"
 #include "engine/trial/shared_control_session.h"
+#include "tests/support/session_recording.h"
 #include "tests/support/trial_agents.h"
 
 using namespace trocar;
@@ -156,13 +157,8 @@ TEST_CASE("whatever a person does at the console: one owner, no agent without it
           breaks ? 6001 + static_cast<std::int64_t>(seed) : -1);
     CHECK(session->outcome() == (stops ? Outcome::kAborted : breaks ? Outcome::kFault : Outcome::kUnfinished));
     // What was recorded is what the arms were told, however often it was cut short.
-    demonstration::Recording recording;
-    recording.provenance = session->provenance();
-    recording.initial_world = *session->take_initial_world();
-    recording.samples = session->take_samples();
-    recording.hashes = session->take_marks();
     Progress progress;
-    CHECK(replay(recording, progress).value().verified);
+    CHECK(replay(testing::recording_of(*session), progress).value().verified);
   }
   // All that can happen did happen.
   for (const ControlState state : {ControlState::kOperator, ControlState::kAgent, ControlState::kClutch,

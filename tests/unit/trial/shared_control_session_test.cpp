@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "engine/trial/transfer_session.h"
+#include "tests/support/session_recording.h"
 #include "tests/support/trial_agents.h"
 
 using namespace trocar;
@@ -46,10 +47,7 @@ Run run(const TrialOptions& options, std::int64_t stop_at = -1) {
     if (session->state().tick.count == stop_at) session->stop();
     session->step();
   }
-  result.recording.provenance = session->provenance();
-  result.recording.initial_world = *session->take_initial_world();
-  result.recording.samples = session->take_samples();
-  result.recording.hashes = session->take_marks();
+  result.recording = testing::recording_of(*session);
   result.events = session->take_events();
   result.status = *session->trial_status();
   result.completion_s = session->completion_s();
@@ -150,13 +148,8 @@ TEST_CASE("a released pedal is in the record and the arm the operator's in that 
     const Eigen::Vector3d rest = session->state().arms[0].X_WT.p;
     while (!session->done()) session->step();
     CHECK((session->state().arms[0].X_WT.p - rest).norm() < 1e-9);
-    demonstration::Recording recording;
-    recording.provenance = session->provenance();
-    recording.initial_world = *session->take_initial_world();
-    recording.samples = session->take_samples();
-    recording.hashes = session->take_marks();
     Progress progress;
-    CHECK(replay(recording, progress).value().verified);
+    CHECK(replay(testing::recording_of(*session), progress).value().verified);
   }
 }
 
