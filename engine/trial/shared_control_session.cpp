@@ -1,21 +1,16 @@
 #include "engine/trial/shared_control_session.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <utility>
 
 #include "engine/core/spsc_queue.h"
 #include "engine/trial/arm_drive.h"
 #include "engine/trial/guarded_arm.h"
-#include "engine/trial/hand_line.h"
 #include "engine/trial/sampling.h"
-#include "engine/trial/scripted_assistant.h"
-#include "engine/trial/scripted_user.h"
+#include "engine/trial/segment_agents.h"
 #include "engine/trial/simulated_arm.h"
 #include "engine/trial/task.h"
+#include "engine/trial/trial_people.h"
 #include "engine/trial/trial_recorder.h"
 #include "engine/trial/trial_setup.h"
 
@@ -48,7 +43,7 @@ Authority authority_in(ControlState state, Segment segment) {
 }  // namespace
 
 struct SharedControlSession::Impl {
-  Impl(TrialOptions options_in, TrialInputs inputs)
+  Impl(TrialOptions options_in, const TrialInputs& inputs)
       : options(std::move(options_in)),
         world(world_options(options)),
         provenance(provenance_of(options, world.options(), inputs)),
@@ -57,19 +52,10 @@ struct SharedControlSession::Impl {
         arms{SimulatedArm(world, ArmSide::kLeft), SimulatedArm(world, ArmSide::kRight)},
         left(arms[0], guard_settings(), options.scale),
         right(arms[1], guard_settings(), kAssistantScale),
-        line(options.delay),
+        people(options, inputs),
+        agents(options),
         from{arms[0].setpoint_cp(), arms[1].setpoint_cp()},
         to(from) {
-    // One stream each, the same in both modes: what happens first to a person under MT happens to them under SC.
-    const Random random = Random(options.seed).child(0);
-    scripted_user = std::make_unique<ScriptedUser>(assignment_of(options, options.skill), random.child(1));
-    Assignment of_assistant = assignment_of(options, Skill::kExpert);
-    of_assistant.scale = kAssistantScale;
-    scripted_assistant = std::make_unique<ScriptedAssistant>(of_assistant, random.child(2));
-    scripted_hands = inputs.scripted;
-    user = inputs.user != nullptr ? inputs.user : scripted_user.get();
-    assistant = inputs.assistant != nullptr ? inputs.assistant : scripted_assistant.get();
-    for (const AgentModel& model : options.agents) agents.emplace_back(model, options.agent_rate_hz);
     task.update(world.state());
     arm_both();
     record();
@@ -91,10 +77,7 @@ struct SharedControlSession::Impl {
       if (!armed) log(TrialEventKind::kGuard, armed.error().text());
       look(i, {true, false, now()});
     }
-    left.guard().set_safe_set([this](const Eigen::Vector3d& p_W) {
-      const Agent* agent = agent_of(task.segment());
-      return agent == nullptr || agent->safe(p_W);
-    });
+    left.guard().set_safe_set([this](const Eigen::Vector3d& p_W) { return agents.safe(task.segment(), p_W); });
   }
 
   control::Guard& guards(std::size_t i) { return i == 0 ? left.guard() : right.guard(); }
@@ -108,36 +91,20 @@ struct SharedControlSession::Impl {
     look.dead_man_stamp = Tick{link.stamp.count + 1};
     look.connected = link.connected;
     look.soft_stop = stopping;
-    look.agent_pedal = i == 0 && line.sample().agent_pedal;
+    look.agent_pedal = i == 0 && people.hand().agent_pedal;
     guards(i).look(look);
   }
 
   // --- Authority --------------------------------------------------------------------------------------------------
 
-  Agent* agent_of(Segment segment) {
-    const auto found = std::find_if(agents.begin(), agents.end(),
-                                    [segment](const Agent& agent) { return agent.model().segment == segment; });
-    return found == agents.end() ? nullptr : &*found;
-  }
+  /// In the middle of a sample the tool is not where the sample was to end.
+  std::string agent_refusal() const { return agents.refusal(task.segment(), arms[0].setpoint_cp().X_WT.p); }
 
-  /// Why the agent cannot have the arm; "" if it can.
-  std::string agent_refusal() {
-    if (options.mode == Mode::kManual) return "this is a manual trial";
-    Agent* agent = agent_of(task.segment());
-    const bool of_agent = task.segment() == Segment::kA || task.segment() == Segment::kC;
-    if (!of_agent) return fmt::format("segment {} is the operator's", demonstration::letter(task.segment()));
-    if (agent == nullptr) return fmt::format("there is no model of segment {}", demonstration::letter(task.segment()));
-    return agent->cannot_begin(told_left());
-  }
-
-  /// Where who takes the arm now takes it: in the middle of a sample that is not where the sample was to end.
-  Eigen::Vector3d told_left() const { return arms[0].setpoint_cp().X_WT.p; }
-
-  bool agent_may() {
-    if (options.mode == Mode::kManual) return false;
+  bool agent_may() const {
     // Who has the arm keeps it while the guard lets it move; who asks for it must know what to do.
     if (machine.state() == ControlState::kAgent) {
-      return driving == agent_of(task.segment()) && left.guard().state() == control::GuardState::kMoving;
+      return agents.driving()->model().segment == task.segment() &&
+             left.guard().state() == control::GuardState::kMoving;
     }
     return machine.agent_pedal().down && agent_refusal().empty();
   }
@@ -147,12 +114,12 @@ struct SharedControlSession::Impl {
     look.now = stamp();
     look.begin = !begun;
     look.ended = task.outcome() == Outcome::kDropped || ended_by_hand || ends_at;
-    look.agent_pedal = line.sample().agent_pedal;
-    look.clutch_pedal = line.sample().clutch_pedal;
+    look.agent_pedal = people.hand().agent_pedal;
+    look.clutch_pedal = people.hand().clutch_pedal;
     look.agent_may = agent_may();
     look.fresh = left.guard().state() == control::GuardState::kMoving || !left_moves;
     look.stop = stopping;
-    look.connected = user_link.connected || !left_moves;
+    look.connected = people.link().connected || !left_moves;
     look.homed = arms[0].feedback().homed;
     look.armed = !disarmed(0) && !disarmed(1);
     // What disarms an arm that was armed is a fault: it is not armed again by itself (rule 9).
@@ -177,35 +144,32 @@ struct SharedControlSession::Impl {
 
   /// Who has the arm now goes on from where it is, and as it moves.
   void hand_over() {
-    if (driving != nullptr && machine.state() != ControlState::kAgent) {
-      agent_steps += driving->steps();
-      driving->end();
-      driving = nullptr;
-    }
     if (machine.state() == ControlState::kAgent) {
-      driving = agent_of(task.segment());
-      driving->begin(left.guard().setpoint().X_WT.p, left.guard().velocity());
-      log(TrialEventKind::kAgent, "begins: " + driving->model().name);
+      agents.begin(task.segment(), left.guard().setpoint().X_WT.p, left.guard().velocity());
+      log(TrialEventKind::kAgent, "begins: " + agents.driving()->model().name);
+    } else {
+      agents.end();
     }
     // The clutch engages too: what the hand meant before the agent moved the tool, it means no more.
     const bool hand = machine.state() == ControlState::kOperator || machine.state() == ControlState::kClutch;
-    if (hand) left.take_over(line.sample());
+    if (hand) left.take_over(people.hand());
   }
 
   // --- Motion -----------------------------------------------------------------------------------------------------
 
   ToolCommand left_setpoint(double period_s) {
-    if (!line.any()) return left.rest(period_s);
-    if (driving != nullptr && machine.state() == ControlState::kAgent) {
-      const Agent::State before = driving->state();
-      const ToolCommand next = left.follow(*driving, stamp(), period_s);
-      if (driving->state() != before) log_agent(driving->state());
+    if (!people.arrived()) return left.rest(period_s);
+    if (machine.state() == ControlState::kAgent) {
+      Agent& agent = *agents.driving();
+      const Agent::State before = agent.state();
+      const ToolCommand next = left.follow(agent, stamp(), period_s);
+      if (agent.state() != before) log_agent(agent.state());
       return next;
     }
     // What was held engages anew where the tool is, as soon as the guard lets it.
-    if (machine.state() == ControlState::kHold) left.take_over(line.sample());
+    if (machine.state() == ControlState::kHold) left.take_over(people.hand());
     const bool follows = operator_steers() || machine.state() == ControlState::kHold;
-    return follows ? left.follow(line.sample(), stamp(), period_s) : left.rest(period_s);
+    return follows ? left.follow(people.hand(), stamp(), period_s) : left.rest(period_s);
   }
 
   void log_agent(Agent::State state) {
@@ -214,35 +178,14 @@ struct SharedControlSession::Impl {
     if (state == Agent::State::kStuck) log(TrialEventKind::kAgent, "knows no move and rests");
   }
 
-  /// Both hands are looked at every sample; what the operator's does arrives by its delay, and nothing does while the
-  /// link is cut.
-  void ask_inputs() {
-    const HandSample hand = user->sample(world.state());
-    user_link = user->link(now());
-    if (user_link.connected) line.send(hand, now());
-    hand_right = assistant->sample(world.state());
-    if (now().count == 0) right.take_over(hand_right);
-  }
-
-  /// In the ticks between: what does not wait, and how the link stands.
-  void ask_for_news() {
-    const std::optional<HandSample> news = user->news(now());
-    user_link = user->link(now());
-    if (news && user_link.connected) line.send(*news, now());
-  }
-
-  /// What the arm hears of its operator is as old as the last that has come through the delay, too.
-  LinkState heard() const {
-    return {user_link.connected, user_link.present && line.any(), std::min(user_link.stamp, line.arrived_at())};
-  }
-
   /// New setpoints for what is left of the sample; the right arm's stand once they are made.
   void plan() {
     const int rest = kTicksPerSample - sub;
     const double period_s = rest * kMillisecond_s;
     if (sub == 0) from = to;
     to[0] = left_setpoint(period_s);
-    if (sub == 0 || halts) to[1] = ended_by_hand ? right.rest(period_s) : right.follow(hand_right, stamp(), period_s);
+    if (sub == 0 || halts)
+      to[1] = ended_by_hand ? right.rest(period_s) : right.follow(people.assistant_hand(), stamp(), period_s);
     span = rest;
     begun_at = sub;
     limit_hits += left.limits().any() ? 1 : 0;
@@ -266,17 +209,11 @@ struct SharedControlSession::Impl {
       if (fault_asked[i].exchange(false)) arms[i].play(control::OperatingState::kFault);
     }
     while (std::optional<std::string> incident = incidents.pop()) log(TrialEventKind::kIncident, std::move(*incident));
-    if (sub == 0) {
-      ask_inputs();
-    } else {
-      ask_for_news();
-    }
-    const bool anybody = line.any();
-    line.receive(now());
-    if (!anybody && line.any()) left.take_over(line.sample());
-    look(0, heard());
-    const LinkState assistant_link = assistant->link(now());
-    look(1, {assistant_link.connected, assistant_link.present && line.any(), assistant_link.stamp});
+    people.listen(world.state());
+    if (people.joins()) left.take_over(people.hand());
+    if (now().count == 0) right.take_over(people.assistant_hand());
+    look(0, people.link());
+    look(1, people.assistant_link());
     left_moves = left_moves || left.guard().state() == control::GuardState::kMoving;
     look_at_authority();
     halts = !ended_by_hand && (stopping || disarmed(0) || disarmed(1));
@@ -329,8 +266,7 @@ struct SharedControlSession::Impl {
 
   Authority authority() const {
     // With the segment the agent's time is over, at once.
-    const bool over =
-        machine.state() == ControlState::kAgent && driving != nullptr && driving->model().segment != task.segment();
+    const bool over = machine.state() == ControlState::kAgent && agents.driving()->model().segment != task.segment();
     return over ? authority_in(ControlState::kOperator, task.segment()) : authority_in(machine.state(), task.segment());
   }
   Outcome outcome() const {
@@ -339,20 +275,14 @@ struct SharedControlSession::Impl {
   }
 
   demonstration::Sample sample_of(const std::array<ToolCommand, 2>& setpoints) const {
-    const SampleContext context{options.block, setpoints,     line.sample().agent_pedal, line.sample().clutch_pedal,
+    const SampleContext context{options.block, setpoints,     people.hand().agent_pedal, people.hand().clutch_pedal,
                                 authority(),   task.segment()};
     return make_sample(world.state(), context);
   }
   void record() { recorder.add(sample_of(to)); }
   void mark() { recorder.mark(now(), world.state_hash()); }
 
-  bool nothing_left() const {
-    if (task.outcome() == Outcome::kDropped) return true;
-    const bool user_done =
-        user == scripted_user.get() ? scripted_user->finished() : task.outcome() == Outcome::kSuccess;
-    const bool assistant_done = assistant == scripted_assistant.get() ? scripted_assistant->finished() : task.placed();
-    return user_done && assistant_done;
-  }
+  bool nothing_left() const { return task.outcome() == Outcome::kDropped || people.finished(task); }
 
   void finish_sample() {
     const Segment segment_before = task.segment();
@@ -381,11 +311,11 @@ struct SharedControlSession::Impl {
     all.misses = task.misses();
     all.clutches = left.mapping().count();
     all.hand_overs = machine.hand_overs();
-    all.agent_steps = agent_steps + (driving != nullptr ? driving->steps() : 0);
+    all.agent_steps = agents.steps();
     all.limit_hits = limit_hits;
     all.unreachable = unreachable;
-    all.delay_mean_s = line.mean_delay_s();
-    all.delay_worst_s = line.worst_delay_s();
+    all.delay_mean_s = people.line().mean_delay_s();
+    all.delay_worst_s = people.line().worst_delay_s();
     return all;
   }
 
@@ -397,15 +327,8 @@ struct SharedControlSession::Impl {
   std::array<SimulatedArm, 2> arms;
   GuardedArm left;
   GuardedArm right;
-  HandLine line;
-  LinkState user_link;
-  std::unique_ptr<ScriptedUser> scripted_user;
-  std::unique_ptr<ScriptedAssistant> scripted_assistant;
-  OperatorInput* user = nullptr;
-  OperatorInput* assistant = nullptr;
-  HandSample hand_right;
-  std::vector<Agent> agents;
-  Agent* driving = nullptr;
+  TrialPeople people;
+  SegmentAgents agents;
   control::AuthorityMachine machine;
   std::array<ToolCommand, 2> from;
   std::array<ToolCommand, 2> to;
@@ -416,13 +339,11 @@ struct SharedControlSession::Impl {
   bool left_moves = false;
   bool stopped = false;
   bool faulted = false;
-  bool scripted_hands = false;  ///< What moves them is no person.
-  bool stopping = false;        ///< Stop is pressed, in this tick.
-  bool halts = false;           ///< Both arms come to rest from this tick on, and it ends.
+  bool stopping = false;  ///< Stop is pressed, in this tick.
+  bool halts = false;     ///< Both arms come to rest from this tick on, and it ends.
   bool ended_by_hand = false;
   bool ended = false;
   int presses = 0;
-  int agent_steps = 0;
   std::int64_t limit_hits = 0;
   std::int64_t unreachable = 0;
   Tick segment_begins;
@@ -452,7 +373,7 @@ void SharedControlSession::stop() {
   impl_->stop_asked.store(true);
 }
 std::string_view SharedControlSession::assistant_kind() const {
-  return impl_->scripted_hands || impl_->assistant == impl_->scripted_assistant.get() ? "scripted" : "person";
+  return impl_->people.assistant_scripted() ? "scripted" : "person";
 }
 void SharedControlSession::play_fault(ArmSide side) {
   impl_->fault_asked[kinematics::index_of(side)].store(true);
@@ -503,15 +424,16 @@ std::optional<double> SharedControlSession::decided_s() const {
 }
 
 std::optional<TrialStatus> SharedControlSession::trial_status() const {
-  Impl& impl = *impl_;
+  const Impl& impl = *impl_;
   TrialStatus status;
   status.state = impl.machine.state();
-  status.agent_pedal = impl.line.sample().agent_pedal;
-  status.clutch_pedal = impl.line.sample().clutch_pedal;
+  status.agent_pedal = impl.people.hand().agent_pedal;
+  status.clutch_pedal = impl.people.hand().clutch_pedal;
   status.agent_presses = impl.presses;
   status.pedal_stuck = impl.machine.agent_pedal_stuck();
-  if (impl.driving != nullptr) status.agent = impl.driving->state();
-  if (impl.driving == nullptr) status.agent_refusal = impl.agent_refusal();
+  const Agent* agent = impl.agents.driving();
+  if (agent != nullptr) status.agent = agent->state();
+  if (agent == nullptr) status.agent_refusal = impl.agent_refusal();
   const control::Guard& guard = impl.left.guard();
   if (guard.state() != control::GuardState::kMoving) status.guard = guard.reason_text();
   status.tool_speed_m_s = guard.velocity().norm();
@@ -519,7 +441,7 @@ std::optional<TrialStatus> SharedControlSession::trial_status() const {
   const Eigen::Vector3d& tip = state.arm(ArmSide::kLeft).X_WT.p;
   status.to_block_m = (tip - state.blocks[static_cast<std::size_t>(impl.options.block)].X_WK.p).norm();
   status.error_m = (tip - guard.setpoint().X_WT.p).norm();
-  status.delay_s = impl.line.last_delay_s();
+  status.delay_s = impl.people.line().last_delay_s();
   status.segment_s = Tick{impl.now().count - impl.segment_begins.count}.seconds();
   status.counts = impl.counted();
   return status;
