@@ -68,11 +68,14 @@ Result<Answer> rendered(const film::Composition& film, const std::shared_ptr<con
     answer.json["size_bytes"] = std::filesystem::file_size(report.path, ignored);
   }
   answer.json["srt"] = report.subtitles.empty() ? Json(nullptr) : Json(report.subtitles.string());
+  answer.json["vtt"] = report.web_subtitles.empty() ? Json(nullptr) : Json(report.web_subtitles.string());
   answer.json["out"] = film.path;
   answer.summary = fmt::format("{} frames of {}×{}, {:.1f} s, {}", report.frames, report.width, report.height,
                                report.frames / film.fps, report.codec);
   answer.text = fmt::format("Wrote {}: {}", film.path, answer.summary);
-  if (!report.subtitles.empty()) answer.text += fmt::format("\nWrote {}", report.subtitles.string());
+  for (const std::filesystem::path& path : {report.subtitles, report.web_subtitles}) {
+    if (!path.empty()) answer.text += fmt::format("\nWrote {}", path.string());
+  }
   return answer;
 }
 
@@ -84,8 +87,9 @@ Result<Answer> run_render(const RenderArguments& arguments, Console& console) {
   }
   if (!film.path.empty()) {
     TROCAR_RETURN_IF_ERROR(check_output(film.path, arguments.project));
-    if (film.overlays.has(film::Overlay::kCaptions)) {
-      TROCAR_RETURN_IF_ERROR(check_output(workbench::subtitles_beside(film.path), arguments.project));
+    for (const char* ending : {".srt", ".vtt"}) {
+      if (!film.overlays.has(film::Overlay::kCaptions)) break;
+      TROCAR_RETURN_IF_ERROR(check_output(workbench::subtitles_beside(film.path, ending), arguments.project));
     }
   }
   TROCAR_ASSIGN_OR_RETURN(

@@ -8,10 +8,10 @@
 namespace trocar::film {
 namespace {
 
-/// "00:01:02,345".
-std::string stamp(double seconds) {
+/// "00:01:02,345"; the two formats differ in the mark before the thousandths.
+std::string stamp(double seconds, char mark) {
   const auto ms = static_cast<long long>(std::llround(std::max(0.0, seconds) * 1000.0));
-  return fmt::format("{:02}:{:02}:{:02},{:03}", ms / 3'600'000, ms / 60'000 % 60, ms / 1000 % 60, ms % 1000);
+  return fmt::format("{:02}:{:02}:{:02}{}{:03}", ms / 3'600'000, ms / 60'000 % 60, ms / 1000 % 60, mark, ms % 1000);
 }
 
 std::string without_blank_lines(const std::string& text) {
@@ -22,6 +22,22 @@ std::string without_blank_lines(const std::string& text) {
   }
   while (!kept.empty() && kept.back() == '\n') kept.pop_back();
   return kept;
+}
+
+std::string with_entities(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') {
+      out += "&amp;";
+    } else if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else {
+      out.push_back(c);
+    }
+  }
+  return out;
 }
 
 }  // namespace
@@ -45,9 +61,19 @@ std::string srt_of(const std::vector<Cue>& cues) {
   for (const Cue& cue : cues) {
     const std::string text = without_blank_lines(cue.text);
     if (text.empty()) continue;
-    srt += fmt::format("{}\n{} --> {}\n{}\n\n", ++number, stamp(cue.begin_s), stamp(cue.end_s), text);
+    srt += fmt::format("{}\n{} --> {}\n{}\n\n", ++number, stamp(cue.begin_s, ','), stamp(cue.end_s, ','), text);
   }
   return srt;
+}
+
+std::string vtt_of(const std::vector<Cue>& cues) {
+  std::string vtt = "WEBVTT\n\n";
+  for (const Cue& cue : cues) {
+    const std::string text = with_entities(without_blank_lines(cue.text));
+    if (text.empty()) continue;
+    vtt += fmt::format("{} --> {}\n{}\n\n", stamp(cue.begin_s, '.'), stamp(cue.end_s, '.'), text);
+  }
+  return vtt;
 }
 
 }  // namespace trocar::film

@@ -1,4 +1,4 @@
-/// What is said in a film and when, as a file beside it (SubRip).
+/// What is said in a film and when, as files beside it (SubRip, WebVTT).
 #pragma once
 
 #include <string>
@@ -17,5 +17,7 @@ std::vector<Cue> cues_of(const std::vector<std::string>& frames, double fps);
 
 /// The cues by number, as .srt. Blank lines within a text, which would end it, are left out.
 std::string srt_of(const std::vector<Cue>& cues);
+/// The same as WebVTT, which pages show: in it "&", "<" and ">" are written as entities.
+std::string vtt_of(const std::vector<Cue>& cues);
 
 }  // namespace trocar::film

@@ -106,7 +106,7 @@ void draw_overlays(Ui& ui, film::Overlays& overlays) {
     if (!first) flow(wide, ui.px(4));
     first = false;
     const bool on = overlays.has(word.value);
-    if (toggle(ui, name, on, {.help = "Written over the film; captions also beside it, as .srt"})) {
+    if (toggle(ui, name, on, {.help = "Written over the film; captions also beside it, as .srt and .vtt"})) {
       overlays.set(word.value, !on);
     }
   }

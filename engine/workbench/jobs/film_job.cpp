@@ -13,10 +13,14 @@
 namespace trocar::workbench {
 namespace {
 
-std::string subtitles_of(const FilmRenderer& renderer, double fps) {
+Status write_subtitles(const FilmRenderer& renderer, double fps, FilmReport& report) {
   std::vector<std::string> texts;
   for (int frame = 0; frame < renderer.frame_count(); ++frame) texts.push_back(renderer.caption_text(frame));
-  return film::srt_of(film::cues_of(texts, fps));
+  const std::vector<film::Cue> cues = film::cues_of(texts, fps);
+  report.subtitles = subtitles_beside(report.path, ".srt");
+  report.web_subtitles = subtitles_beside(report.path, ".vtt");
+  TROCAR_RETURN_IF_ERROR(write_file(report.subtitles, film::srt_of(cues)));
+  return write_file(report.web_subtitles, film::vtt_of(cues));
 }
 
 Status draw_all(FilmRenderer& renderer, Studio& studio, FilmSink& sink, Progress& progress) {
@@ -58,8 +62,7 @@ Result<FilmReport> render_film(const FilmJob& job, Progress& progress) {
   TROCAR_RETURN_IF_ERROR(draw_all(renderer, studio, *sink, progress));
   TROCAR_RETURN_IF_ERROR(sink->finish());
   if (job.film.overlays.has(film::Overlay::kCaptions)) {
-    report.subtitles = subtitles_beside(report.path);
-    TROCAR_RETURN_IF_ERROR(write_file(report.subtitles, subtitles_of(renderer, job.film.fps)));
+    TROCAR_RETURN_IF_ERROR(write_subtitles(renderer, job.film.fps, report));
   }
   report.codec = sink->codec();
   report.warnings = diagnostics.warnings();

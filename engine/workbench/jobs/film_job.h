@@ -26,7 +26,8 @@ struct FilmReport {
   int height = 0;
   double seconds = 0.0;  ///< Wall time.
   std::string codec;
-  std::filesystem::path subtitles;  ///< Empty: without captions there are none.
+  std::filesystem::path subtitles;      ///< SubRip. Empty: without captions there are none.
+  std::filesystem::path web_subtitles;  ///< The same as WebVTT, for a page's <track>.
   std::vector<std::string> warnings;
 };
 

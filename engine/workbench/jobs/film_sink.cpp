@@ -99,13 +99,13 @@ Result<std::unique_ptr<FilmSink>> open_film_sink(const fs::path& path, const med
   return std::unique_ptr<FilmSink>(std::make_unique<FileSink>(std::move(writer)));
 }
 
-fs::path subtitles_beside(const fs::path& path) {
+fs::path subtitles_beside(const fs::path& path, std::string_view ending) {
   if (const std::optional<RowName> name = row_name(path)) {
     std::string stem = name->before;
     while (!stem.empty() && (stem.back() == '_' || stem.back() == '-' || stem.back() == '.')) stem.pop_back();
-    return path.parent_path() / ((stem.empty() ? "film" : stem) + ".srt");
+    return path.parent_path() / ((stem.empty() ? "film" : stem) + std::string(ending));
   }
-  return fs::path(path).replace_extension(".srt");
+  return fs::path(path).replace_extension(ending);
 }
 
 }  // namespace trocar::workbench

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "engine/core/image.h"
 #include "engine/core/result.h"
@@ -26,7 +27,7 @@ class FilmSink {
 bool is_picture_row(const std::filesystem::path& path);
 /// Errors: those of `media::VideoWriter::open`; kInvalidArgument for a codec with pictures.
 Result<std::unique_ptr<FilmSink>> open_film_sink(const std::filesystem::path& path, const media::VideoOptions& options);
-/// The subtitles of the film: beside it, with its name.
-std::filesystem::path subtitles_beside(const std::filesystem::path& path);
+/// The subtitles of the film: beside it, with its name and the ending, ".srt" or ".vtt".
+std::filesystem::path subtitles_beside(const std::filesystem::path& path, std::string_view ending);
 
 }  // namespace trocar::workbench

@@ -165,3 +165,11 @@ TEST_CASE("subtitles are runs of equal words, numbered and in order") {
   CHECK(srt_of({{3661.0015, 3662.0, "x"}}).find("01:01:01,00") != std::string::npos);
   CHECK(srt_of({}).empty());
 }
+
+TEST_CASE("for a page they are WebVTT, in which what could be a tag or an arrow is written out") {
+  const auto cues = cues_of({"", "a", "a", "b\n\nc"}, 10.0);
+  CHECK(vtt_of(cues) == "WEBVTT\n\n00:00:00.100 --> 00:00:00.300\na\n\n00:00:00.300 --> 00:00:00.400\nb\nc\n\n");
+  CHECK(vtt_of({{3661.0, 3662.0, "<b> --> R&D"}}) ==
+        "WEBVTT\n\n01:01:01.000 --> 01:01:02.000\n&lt;b&gt; --&gt; R&amp;D\n\n");
+  CHECK(vtt_of({}) == "WEBVTT\n\n");
+}

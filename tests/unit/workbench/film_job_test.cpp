@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "engine/core/file.h"
 #include "engine/film/property.h"
 #include "engine/learning/model.h"
 #include "engine/media/picture_file.h"
@@ -165,6 +166,7 @@ TEST_CASE("the film that was written has the frames that it should, and a reader
   const FilmReport report = rendered(small({"Long"}), folder / "film.mp4");
   CHECK(report.frames == 50);
   CHECK(report.subtitles.empty());
+  CHECK(report.web_subtitles.empty());
   const auto info = media::probe_video(folder / "film.mp4");
   REQUIRE(info);
   CHECK(info->frames == 50);
@@ -262,6 +264,8 @@ TEST_CASE("captions are in the file beside the film, in order, and only if they 
   film.overlays.set(Overlay::kCaptions);
   const FilmReport report = rendered(film, folder / "film.mp4");
   CHECK(report.subtitles == folder / "film.srt");
+  CHECK(report.web_subtitles == folder / "film.vtt");
+  CHECK(read_file(report.web_subtitles).value().starts_with("WEBVTT\n\n00:00:00.000 --> "));
   std::ifstream file(report.subtitles);
   std::string line;
   int number = 0;
@@ -295,7 +299,7 @@ TEST_CASE("cancelled in the middle, a film leaves nothing, neither a row of pict
   film::Composition film = small({"Long"});
   film.fps = 60.0;
   film.overlays.set(Overlay::kCaptions);
-  for (const char* name : {"film.mp4", "f_%04d.png"}) {
+  for (const char* name : {"film.mp4", "film.gif", "f_%04d.png"}) {
     const ScratchFolder folder;
     Progress progress;
     std::jthread other([&progress] {
