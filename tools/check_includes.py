@@ -22,7 +22,7 @@ OWNERS = [
     (r"ode/", {"simulation"}),
     (r"assimp/", {"scene"}),
     (r"(GL/|KHR/|EGL/)", {"render", "ui"}),
-    (r"opencv2/", {"media"}),
+    (r"(opencv2/|gif_lib\.h)", {"media"}),
     (r"sqlite3\.h", {"store"}),
     (r"(H5|hdf5|highfive/)", {"exchange"}),
     (r"(cairo|fontconfig/)", {"canvas"}),

@@ -22,12 +22,14 @@ struct CodecRow {
   bool automatic;                            ///< Tried for kAuto, in this order.
 };
 
-const std::array<CodecRow, 4>& rows() {
-  static const std::array<CodecRow, 4> table{{
+const std::array<CodecRow, 6>& rows() {
+  static const std::array<CodecRow, 6> table{{
       {Codec::kH264, "h264", "avc1", {".mp4", ".mov", ".mkv"}, true},
       {Codec::kMpeg4, "mpeg4", "mp4v", {".mp4", ".mov", ".mkv", ".avi"}, true},
       {Codec::kMotionJpeg, "mjpeg", "MJPG", {".avi", ".mkv", ".mov"}, true},
       {Codec::kFfv1, "ffv1", "FFV1", {".mkv", ".avi"}, false},
+      {Codec::kVp9, "vp9", "VP90", {".webm", ".mkv"}, true},
+      {Codec::kGif, "gif", "", {".gif"}, true},
   }};
   return table;
 }
@@ -41,8 +43,26 @@ std::string lower(std::string text) {
   return text;
 }
 
+template <typename Words>
+std::string either(const Words& words) {
+  const std::vector<std::string_view> all(words.begin(), words.end());
+  const std::string first = fmt::format("{}", fmt::join(all.begin(), all.end() - 1, ", "));
+  return first.empty() ? std::string(all.back()) : fmt::format("{} or {}", first, all.back());
+}
+
+std::string all_endings() {
+  std::vector<std::string_view> endings;
+  for (const CodecRow& row : rows()) {
+    for (const std::string_view ending : row.extensions) {
+      if (std::find(endings.begin(), endings.end(), ending) == endings.end()) endings.push_back(ending);
+    }
+  }
+  return either(endings);
+}
+
 /// Writes a few small frames where temporary files go.
 bool works(const trocar_media_api& api, const CodecRow& row) {
+  if (row.codec == Codec::kGif) return true;  // giflib is linked.
   std::error_code error;
   const std::filesystem::path path = std::filesystem::temp_directory_path(error) /
                                      fmt::format("trocar_codec_{}_{}{}", ::getpid(), row.name, row.extensions.front());
@@ -74,8 +94,22 @@ Result<Codec> codec_from(std::string_view text) {
   for (const CodecRow& row : rows()) {
     if (row.name == text) return row.codec;
   }
-  return fail(ErrorCode::kInvalidArgument,
-              fmt::format("no codec is named \"{}\"; there are auto, h264, mpeg4, mjpeg, ffv1", text));
+  std::string known = "auto";
+  for (const CodecRow& row : rows()) known += fmt::format(", {}", row.name);
+  return fail(ErrorCode::kInvalidArgument, fmt::format("no codec is named \"{}\"; there are {}", text, known));
+}
+
+std::string_view usual_ending(Codec codec) {
+  for (const CodecRow& row : rows()) {
+    if (row.codec == codec) return row.extensions.front();
+  }
+  return rows().front().extensions.front();
+}
+
+std::vector<Codec> all_codecs() {
+  std::vector<Codec> out;
+  for (const CodecRow& row : rows()) out.push_back(row.codec);
+  return out;
 }
 
 std::vector<Codec> available_codecs() {
@@ -96,10 +130,10 @@ Result<std::vector<Codec>> codecs_for(const std::filesystem::path& path, Codec w
     if (asked && fits(row, extension)) out.push_back(row.codec);
   }
   if (!out.empty()) return out;
-  std::string sentence = "a film's name ends in .mp4, .mov, .mkv or .avi";
+  std::string sentence = "a film's name ends in " + all_endings();
   for (const CodecRow& row : rows()) {
     if (row.codec == wanted) {
-      sentence = fmt::format("a film in {} ends in {}", row.name, fmt::join(row.extensions, " or "));
+      sentence = fmt::format("a film in {} ends in {}", row.name, either(row.extensions));
     }
   }
   return tl::unexpected(Error(ErrorCode::kInvalidArgument, sentence).at(path.string()));
@@ -111,6 +145,11 @@ const char* fourcc_of(Codec codec) {
   }
   TROCAR_CHECK(codec != Codec::kAuto);
   return "";
+}
+
+bool declares_frames(const std::filesystem::path& path) {
+  const std::string extension = lower(path.extension().string());
+  return extension != ".mkv" && extension != ".webm";
 }
 
 }  // namespace trocar::media

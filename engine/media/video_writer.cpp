@@ -14,6 +14,7 @@
 #include "engine/core/file.h"
 #include "engine/media/codec.h"
 #include "engine/media/frame_queue.h"
+#include "engine/media/gif_writer.h"
 #include "engine/media/media_library.h"
 
 namespace trocar::media {
@@ -41,6 +42,12 @@ Status check_options(const VideoOptions& options) {
     return fail(ErrorCode::kInvalidArgument, fmt::format("a film has 1 to 240 frames a second, not {}", fps));
   }
   return {};
+}
+
+Status check_rate(const std::vector<Codec>& codecs, double fps) {
+  if (codecs.front() != Codec::kGif || fps <= GifWriter::kFastest_fps) return {};
+  return fail(ErrorCode::kInvalidArgument,
+              fmt::format("a GIF has at most {} frames a second, not {}", GifWriter::kFastest_fps, fps));
 }
 
 /// Makes the empty file, so that a path that cannot be written says why.
@@ -71,8 +78,9 @@ struct VideoWriter::Impl {
   fs::path path;    ///< As it was asked for.
   fs::path target;  ///< The file at the end of its links.
   fs::path temporary;
-  VideoOptions options;  ///< `codec` is the one in use.
-  void* writer = nullptr;
+  VideoOptions options;            ///< `codec` is the one in use.
+  void* writer = nullptr;          ///< OpenCV's …
+  std::unique_ptr<GifWriter> gif;  ///< … or ours.
   int added = 0;
   bool finished = false;
   std::atomic<bool> cancelled{false};
@@ -93,31 +101,50 @@ struct VideoWriter::Impl {
     if (encoder.joinable()) encoder.join();
     if (writer != nullptr) api->writer_close(writer);
     writer = nullptr;
+    if (gif && !gif->finish()) failed = true;
+    gif.reset();
   }
 
-  /// The encoder thread: the only one that uses `writer` while it runs.
+  bool start(Codec codec) {
+    if (codec == Codec::kGif) {
+      gif = GifWriter::open(temporary, options.fps, options.width, options.height);
+    } else {
+      writer = api->writer_open(temporary.c_str(), fourcc_of(codec), options.fps, options.width, options.height);
+    }
+    return gif || writer != nullptr;
+  }
+
+  bool write(const Image& frame) { return gif ? gif->add(frame) : api->writer_add(writer, frame.rgba.data()) != 0; }
+
+  /// The encoder thread: the only one that uses `writer` and `gif` while it runs.
   void encode() {
     int written = 0;
     while (const std::optional<Image> frame = queue.pop()) {
       if (cancelled || failed) continue;
       const bool room = written % kFramesBetweenDiskChecks != 0 || has_room(temporary);
-      if (!room || api->writer_add(writer, frame->rgba.data()) == 0) failed = true;
+      if (!room || !write(*frame)) failed = true;
       ++written;
     }
   }
 
-  Status open_codec() {
-    TROCAR_ASSIGN_OR_RETURN(const std::vector<Codec> codecs, codecs_for(path, options.codec));
+  Status open_first(const std::vector<Codec>& codecs) {
     // FFmpeg gives no reason; a full disk must not look like a codec that this machine lacks.
     if (!has_room(temporary)) return fail(ErrorCode::kIo, "the disk is full");
     for (const Codec codec : codecs) {
-      writer = api->writer_open(temporary.c_str(), fourcc_of(codec), options.fps, options.width, options.height);
       options.codec = codec;
-      if (writer != nullptr) return {};
+      if (start(codec)) return {};
       if (!has_room(temporary)) return fail(ErrorCode::kIo, "the disk is full");
     }
     return fail(ErrorCode::kUnsupported,
                 fmt::format("this machine cannot write films in {}", to_string(options.codec)));
+  }
+
+  /// Whether so many can be decoded.
+  bool has_frames(void* reader, int count) const {
+    for (int i = 0; i < count; ++i) {
+      if (api->reader_next(reader) == 0) return false;
+    }
+    return true;
   }
 
   /// A disk that filled up shows only here: the file is empty, lacks its index, or counts fewer frames.
@@ -134,8 +161,9 @@ struct VideoWriter::Impl {
     double declared = 0.0;
     api->reader_info(reader.get(), &width, &height, &fps, &declared);
     if (width != options.width || height != options.height) return bad("the film has another size than asked for");
-    // Matroska declares a duration instead of a count, so one frame of rounding is allowed.
-    if (std::abs(declared - added) > 1.0 || api->reader_next(reader.get()) == 0) {
+    // Matroska declares its whole length even where most frames are missing: only decoding them tells.
+    const int needed = declares_frames(temporary) ? 1 : added;
+    if (std::abs(declared - added) > 1.0 || !has_frames(reader.get(), needed)) {
       return bad("the film lacks frames; is the disk full");
     }
     return {};
@@ -149,7 +177,8 @@ VideoWriter& VideoWriter::operator=(VideoWriter&&) noexcept = default;
 
 Result<VideoWriter> VideoWriter::open(const fs::path& path, const VideoOptions& options) {
   TROCAR_RETURN_IF_ERROR(check_options(options));
-  TROCAR_RETURN_IF_ERROR(codecs_for(path, options.codec));
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<Codec> codecs, codecs_for(path, options.codec));
+  TROCAR_RETURN_IF_ERROR(check_rate(codecs, options.fps));
   TROCAR_ASSIGN_OR_RETURN(const trocar_media_api* api, media_library());
   TROCAR_ASSIGN_OR_RETURN(const fs::path target, replaceable_file(path));
   const fs::path temporary = temporary_beside(target);
@@ -160,7 +189,7 @@ Result<VideoWriter> VideoWriter::open(const fs::path& path, const VideoOptions& 
   impl->target = target;
   impl->temporary = temporary;
   impl->options = options;
-  if (Status opened = impl->open_codec(); !opened) {
+  if (Status opened = impl->open_first(codecs); !opened) {
     return tl::unexpected(std::move(opened).error().at(path.string()));
   }
   impl->encoder = std::jthread([raw = impl.get()] { raw->encode(); });

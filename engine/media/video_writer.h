@@ -1,4 +1,4 @@
-/// Films in files (H.264 in MP4 by default), through OpenCV, which is loaded when first needed.
+/// Films in files (H.264 in MP4 by default), through OpenCV, which is loaded when first needed; a GIF through giflib.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,22 @@
 
 namespace trocar::media {
 
-enum class Codec { kAuto, kH264, kMpeg4, kFfv1, kMotionJpeg };
+enum class Codec { kAuto, kH264, kMpeg4, kFfv1, kMotionJpeg, kVp9, kGif };
 std::string_view to_string(Codec codec);
 Result<Codec> codec_from(std::string_view text);
+/// What a film in it is usually called: ".mp4".
+std::string_view usual_ending(Codec codec);
 
-/// What this machine can write, best first. For `trocar doctor`.
+/// All but kAuto, best first.
+std::vector<Codec> all_codecs();
+/// Those that this machine can write. For `trocar doctor`.
 std::vector<Codec> available_codecs();
 
 struct VideoOptions {
   int width = 1280;  ///< Even.
   int height = 720;  ///< Even.
   double fps = 30.0;
-  Codec codec = Codec::kAuto;  ///< H.264, else MPEG-4, else Motion JPEG; the extension must fit.
+  Codec codec = Codec::kAuto;  ///< The first of `all_codecs` that the extension fits and the machine can write.
 };
 
 /// Writes beside the target and renames in `finish()`; destroyed before that, it leaves nothing behind. Encodes in a

@@ -2,6 +2,7 @@
 #include <dlfcn.h>
 
 #include <cstdarg>
+#include <cstdio>
 #include <memory>
 #include <mutex>
 #include <opencv2/core.hpp>
@@ -41,6 +42,27 @@ void silence() {
   });
 }
 
+/// While one lives, what OpenCV prints itself is lost: of each WebM, that its tag of four letters is unknown there.
+/// glibc lets `stderr` be set like any variable; the descriptor, which other threads and programs have too, stays.
+class Hush {
+ public:
+  Hush() : lock_(mutex()), told_(stderr) {
+    static std::FILE* const nowhere = std::fopen("/dev/null", "we");
+    if (nowhere != nullptr) stderr = nowhere;
+  }
+  ~Hush() { stderr = told_; }
+  Hush(const Hush&) = delete;
+  Hush& operator=(const Hush&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex only;
+    return only;
+  }
+  std::scoped_lock<std::mutex> lock_;
+  std::FILE* told_;
+};
+
 struct Writer {
   cv::VideoWriter video;
   cv::Mat bgr;
@@ -60,6 +82,7 @@ void* writer_open(const char* path, const char* fourcc, double fps, int width, i
     writer->width = width;
     writer->height = height;
     const int code = cv::VideoWriter::fourcc(fourcc[0], fourcc[1], fourcc[2], fourcc[3]);
+    const Hush hush;
     for (const int backend : {cv::CAP_FFMPEG, cv::CAP_OPENCV_MJPEG}) {
       if (backend == cv::CAP_OPENCV_MJPEG && std::string(fourcc) != "MJPG") continue;
       if (writer->video.open(path, backend, code, fps, cv::Size(width, height), true)) return writer.release();

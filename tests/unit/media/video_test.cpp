@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 
 #include "engine/core/file.h"
@@ -66,8 +68,7 @@ TEST_CASE("every codec of this machine writes a film of the right size, rate and
   REQUIRE(std::find(codecs.begin(), codecs.end(), Codec::kH264) != codecs.end());
   for (const Codec codec : codecs) {
     CAPTURE(to_string(codec));
-    const char* extension = codec == Codec::kFfv1 ? ".mkv" : codec == Codec::kMotionJpeg ? ".avi" : ".mp4";
-    const fs::path path = scratch.folder / (std::string(to_string(codec)) + extension);
+    const fs::path path = scratch.folder / (std::string(to_string(codec)) + std::string(usual_ending(codec)));
     const Status written = write_film(path, {160, 96, 25.0, codec}, 40);
     REQUIRE_MESSAGE(written, (written ? "" : written.error().text()));
     const VideoInfo info = probe_video(path).value();
@@ -93,6 +94,16 @@ TEST_CASE("H.264 is the default of an MP4, and its frames look like the pictures
   }
   // The neighbour is a different picture: frames are in order, none twice.
   CHECK(difference(read_video_frame(path, 13).value(), read_video_frame(path, 14).value()).mean > 0.2);
+}
+
+TEST_CASE("a WebM is VP9, and its frames look like the pictures they came from") {
+  const Scratch scratch("webm");
+  const fs::path path = scratch.folder / "a.webm";
+  auto writer = VideoWriter::open(path, {320, 180, 30.0, Codec::kAuto}).value();
+  CHECK(writer.codec() == Codec::kVp9);
+  for (int i = 0; i < 20; ++i) REQUIRE(writer.add(frame(320, 180, i)));
+  REQUIRE(writer.finish());
+  for (const int k : {0, 13, 19}) CHECK(difference(read_video_frame(path, k).value(), frame(320, 180, k)).mean < 6.0);
 }
 
 TEST_CASE("FFV1 gives back the picture to within colour conversion") {
@@ -132,7 +143,11 @@ TEST_CASE("an extension that does not fit the codec is refused and the fitting o
   REQUIRE_FALSE(wrong);
   CHECK(wrong.error().code() == ErrorCode::kInvalidArgument);
   CHECK(wrong.error().text().find(".mkv") != std::string::npos);
-  CHECK_FALSE(VideoWriter::open("/tmp/a.txt", {160, 96, 30.0, Codec::kAuto}));
+  const auto unknown = VideoWriter::open("/tmp/a.txt", {160, 96, 30.0, Codec::kAuto});
+  REQUIRE_FALSE(unknown);
+  CHECK(unknown.error().text() == "a film's name ends in .mp4, .mov, .mkv, .avi, .webm or .gif: /tmp/a.txt");
+  CHECK_FALSE(VideoWriter::open("/tmp/a.mp4", {160, 96, 30.0, Codec::kVp9}));
+  CHECK_FALSE(VideoWriter::open("/tmp/a.webm", {160, 96, 30.0, Codec::kH264}));
   CHECK_FALSE(VideoWriter::open("/tmp/a", {160, 96, 30.0, Codec::kAuto}));
 }
 
@@ -169,16 +184,19 @@ TEST_CASE("a film goes to the end of a link, which stays a link") {
 }
 
 TEST_CASE("a film that is not finished leaves nothing, and the old file as it was") {
-  const Scratch scratch("cancel");
-  const fs::path path = scratch.folder / "a.mp4";
-  REQUIRE(write_file(path, "what was there"));
-  {
-    auto writer = VideoWriter::open(path, {160, 96, 30.0, Codec::kAuto}).value();
-    for (int i = 0; i < 20; ++i) REQUIRE(writer.add(frame(160, 96, i)));
-    CHECK(scratch.files() == 2);
+  for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    CAPTURE(name);
+    const Scratch scratch("cancel");
+    const fs::path path = scratch.folder / name;
+    REQUIRE(write_file(path, "what was there"));
+    {
+      auto writer = VideoWriter::open(path, {160, 96, 30.0, Codec::kAuto}).value();
+      for (int i = 0; i < 20; ++i) REQUIRE(writer.add(frame(160, 96, i)));
+      CHECK(scratch.files() == 2);
+    }
+    CHECK(scratch.files() == 1);
+    CHECK(read_file(path).value() == "what was there");
   }
-  CHECK(scratch.files() == 1);
-  CHECK(read_file(path).value() == "what was there");
 }
 
 TEST_CASE("a film without frames is an error and no file") {
@@ -195,7 +213,7 @@ TEST_CASE("a disk that fills up is an I/O error and leaves nothing") {
   // A limit on the size of files gives the same failing writes as a full disk.
   const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
   const rlimit limit{30000, before.rlim_max};
-  for (const char* name : {"a.mp4", "a.mkv", "a.avi"}) {
+  for (const char* name : {"a.mp4", "a.mkv", "a.avi", "a.webm", "a.gif"}) {
     CAPTURE(name);
     auto writer = VideoWriter::open(scratch.folder / name, {160, 96, 30.0, Codec::kAuto}).value();
     ::setrlimit(RLIMIT_FSIZE, &limit);
@@ -227,32 +245,43 @@ TEST_CASE("libraries write nothing to standard error") {
   const int file = ::open(said.c_str(), O_WRONLY | O_CREAT, 0666);
   ::dup2(file, STDERR_FILENO);
   const bool film = probe_video(scratch.folder / "a.mp4").has_value();
-  const bool written = write_film(scratch.folder / "b.mp4", {64, 48, 30.0, Codec::kAuto}, 3).has_value();
+  bool written = true;
+  for (const char* name : {"b.mp4", "b.webm", "b.mkv"}) {
+    const Codec codec = fs::path(name).extension() == ".mkv" ? Codec::kVp9 : Codec::kAuto;
+    written = write_film(scratch.folder / name, {64, 48, 30.0, codec}, 3).has_value() && written;
+  }
+  std::fputs("heard again\n", stderr);
   ::dup2(before, STDERR_FILENO);
   ::close(before);
   ::close(file);
   CHECK_FALSE(film);
   CHECK(written);
-  CHECK(read_file(said).value() == "");
+  CHECK(read_file(said).value() == "heard again\n");
 }
 
 TEST_CASE("ffprobe, where there is one, finds nothing to complain about") {
   if (std::system("command -v ffprobe >/dev/null 2>&1") != 0) return;
   const Scratch scratch("ffprobe");
-  const fs::path path = scratch.folder / "a.mp4";
-  REQUIRE(write_film(path, {160, 96, 30.0, Codec::kAuto}, 30));
-  const fs::path said = scratch.folder / "said";
-  const std::string command =
-      "ffprobe -v warning -count_frames -select_streams v -of csv=p=0 -show_entries "
-      "stream=codec_name,width,height,pix_fmt,nb_read_frames '" +
-      path.string() + "' >'" + said.string() + "' 2>&1";
-  REQUIRE(std::system(command.c_str()) == 0);
-  CHECK(read_file(said).value() == "h264,160,96,yuv420p,30\n");
+  const std::array<std::array<const char*, 2>, 3> films{{{"a.mp4", "h264,160,96,yuv420p,30\n"},
+                                                         {"a.webm", "vp9,160,96,yuv420p,30\n"},
+                                                         {"a.gif", "gif,160,96,bgra,30\n"}}};
+  for (const auto& [name, expected] : films) {
+    const fs::path path = scratch.folder / name;
+    REQUIRE(write_film(path, {160, 96, 30.0, Codec::kAuto}, 30));
+    const fs::path said = scratch.folder / "said";
+    const std::string command =
+        "ffprobe -v warning -count_frames -select_streams v -of csv=p=0 -show_entries "
+        "stream=codec_name,width,height,pix_fmt,nb_read_frames '" +
+        path.string() + "' >'" + said.string() + "' 2>&1";
+    REQUIRE(std::system(command.c_str()) == 0);
+    CHECK(read_file(said).value() == expected);
+  }
 }
 
 TEST_CASE("names of codecs are read back") {
-  for (const Codec codec : {Codec::kAuto, Codec::kH264, Codec::kMpeg4, Codec::kFfv1, Codec::kMotionJpeg}) {
-    CHECK(codec_from(to_string(codec)).value() == codec);
-  }
-  CHECK_FALSE(codec_from("vp9"));
+  CHECK(codec_from(to_string(Codec::kAuto)).value() == Codec::kAuto);
+  for (const Codec codec : all_codecs()) CHECK(codec_from(to_string(codec)).value() == codec);
+  const auto unknown = codec_from("paint");
+  REQUIRE_FALSE(unknown);
+  CHECK(unknown.error().text().find("auto, h264, mpeg4, mjpeg, ffv1, vp9, gif") != std::string::npos);
 }
