@@ -32,7 +32,7 @@ std::vector<Finding> examine_codecs() {
   using media::Codec;
   const std::vector<Codec> available = media::available_codecs();
   std::vector<Finding> findings;
-  for (const Codec codec : {Codec::kH264, Codec::kMpeg4, Codec::kFfv1, Codec::kMotionJpeg}) {
+  for (const Codec codec : media::all_codecs()) {
     const bool found = std::find(available.begin(), available.end(), codec) != available.end();
     findings.push_back({"codecs", std::string(media::to_string(codec)), found,
                         found ? "films can be written" : "OpenCV's video backend on this machine cannot write it"});

@@ -23,7 +23,7 @@ struct RenderArguments {
 void bind_render(CLI::App& verb, RenderArguments& arguments) {
   verb.add_option("PROJECT", arguments.project, "The project file")->required();
   bind_film(verb, arguments.film);
-  verb.add_option("--out", arguments.out, "F.mp4 (or .mkv, .avi), or pictures: F_%05d.png");
+  verb.add_option("--out", arguments.out, "F.mp4 (or .mkv, .webm, .avi, .gif), or pictures: F_%05d.png");
   verb.add_option("--write-job", arguments.write_job, "F.json: write what the options mean as a job, and no film");
   verb.add_flag("--all-of-session", arguments.session,
                 "Of a film of one trial: one like it of each trial of its session, F_SC_1.mp4 and so on");

@@ -1,5 +1,7 @@
 """Films of several sources, from options and from jobs, as a user meets them."""
 import json
+import shutil
+import subprocess
 import unittest
 
 from cli_support import USAGE, WORLD, CommandLineTest, trocar
@@ -30,7 +32,8 @@ class Films(CommandLineTest):
         self.assertEqual(first["srt"], str(self.folder / "a.srt"))
         for i in range(first["frames"]):
             self.assertEqual((self.folder / f"a_{i:02}.png").read_bytes(), (self.folder / f"b_{i:02}.png").read_bytes())
-        self.assertEqual((self.folder / "a.srt").read_text(), (self.folder / "b.srt").read_text())
+        for ending in (".srt", ".vtt"):
+            self.assertEqual((self.folder / f"a{ending}").read_text(), (self.folder / f"b{ending}").read_text())
 
     def test_presets_begin_and_options_go_on(self):
         project = self.trimmed_project()
@@ -41,6 +44,28 @@ class Films(CommandLineTest):
         self.assertEqual(answer["srt"], str(self.folder / "film.srt"))
         small = self.answer("video", "render", project, "1", "--preset", "thumbnail", "--out", self.folder / "small.mp4")
         self.assertEqual((small["width"], small["height"], small["srt"]), (320, 180, None))
+
+    def test_a_webm_and_a_gif_are_what_their_names_say_and_captions_lie_beside_them_for_players_and_pages(self):
+        project = self.trimmed_project()
+        small = ("--size", "64x36", "--fps", "7", "--speed", "4", "--overlays", "captions")
+        for name, codec in (("film.webm", "vp9"), ("film.gif", "gif")):
+            film = self.folder / name
+            done = trocar("video", "render", project, "1", *small, "--json", "--out", film)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            answer = json.loads(done.stdout)
+            self.assertEqual(answer["codec"], codec)
+            self.assertEqual((answer["srt"], answer["vtt"]), (str(film.with_suffix(".srt")), str(film.with_suffix(".vtt"))))
+            self.assertTrue(film.with_suffix(".srt").read_text().startswith("1\n00:00:00,000 --> "))
+            self.assertTrue(film.with_suffix(".vtt").read_text().startswith("WEBVTT\n\n00:00:00.000 --> "))
+            if shutil.which("ffprobe") is None:
+                continue
+            probe = subprocess.run(["ffprobe", "-v", "warning", "-count_frames", "-of", "csv=p=0", "-show_entries",
+                                    "stream=codec_name,width,height,nb_read_frames", film],
+                                   capture_output=True, text=True, check=True)
+            self.assertEqual((probe.stdout, probe.stderr), (f"{codec},64,36,{answer['frames']}\n", ""))
+        self.assertEqual(self.leftovers(), ["film.gif", "film.srt", "film.vtt", "film.webm", "recorded.trocar"])
+        self.refused("video", "render", project, "1", "--fps", "60", "--out", self.folder / "fast.gif", code=USAGE, saying="50")
+        self.refused("video", "render", project, "1", "--codec", "gif", "--out", self.folder / "a.webm", code=USAGE, saying=".gif")
 
     def test_fields_and_curves_are_sources_of_a_job(self):
         project = self.trimmed_project()

@@ -39,7 +39,7 @@ void VideoForm::draw_look(Ui& ui) {
   static const std::vector<std::string> kRateNames{"25", "30", "60"};
   static const std::vector<std::string> kSpeedNames{"0.5×", "1×", "2×", "4×", "8×"};
   static const std::vector<std::string> kCameraNames{"Paper", "Top", "Side", "Front"};
-  static const std::vector<std::string> kCodecNames{"Auto", "H.264", "MPEG-4", "FFV1", "MJPEG"};
+  static const std::vector<std::string> kCodecNames{"Auto", "H.264", "MPEG-4", "FFV1", "MJPEG", "VP9", "GIF"};
   form_label(ui, "Size");
   segmented(ui, "Size", size_, kSizeNames, {.help = "In pixels"});
   form_label(ui, "Frames a second");
@@ -50,15 +50,16 @@ void VideoForm::draw_look(Ui& ui) {
   segmented(ui, "Camera", camera_, kCameraNames, {.help = "From where it is filmed"});
   form_label(ui, "Codec");
   if (segmented(ui, "Codec", codec_, kCodecNames, {.help = "Sets the file's ending, too; FFV1 loses nothing"})) {
-    constexpr std::array<const char*, 5> kEndings{".mp4", ".mp4", ".mp4", ".mkv", ".avi"};
-    path_ = std::filesystem::path(path_).replace_extension(kEndings[static_cast<std::size_t>(codec_)]).string();
+    const std::string_view ending = media::usual_ending(static_cast<media::Codec>(codec_));
+    path_ = std::filesystem::path(path_).replace_extension(ending).string();
   }
   form_label(ui, "Captions");
   checkbox(ui, "Segments, jaws and pedals", captions_, {.help = "What is written below the picture"});
   form_label(ui, "Overlays");
-  checkbox(ui, "All of them", all_overlays_,
-           {.help = "Metrics, tally, trail and the other side's ghost too, and captions in a file of their own (.srt)",
-            .reason = captions_ ? "" : "The picture is left bare"});
+  checkbox(
+      ui, "All of them", all_overlays_,
+      {.help = "Metrics, tally, trail and the other side's ghost too, and captions in files of their own (.srt, .vtt)",
+       .reason = captions_ ? "" : "The picture is left bare"});
 }
 
 void VideoForm::draw_beside(Ui& ui, const WorkbenchState& state) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <system_error>
 
@@ -129,8 +128,7 @@ void ExportPanel::draw_job(Ui& ui, const WorkbenchState& state, FilmDraft& draft
 }
 
 void ExportPanel::draw_file(Ui& ui, const WorkbenchState& state, FilmDraft& draft, Requests& requests) {
-  static const std::vector<std::string> kCodecNames{"Auto", "H.264", "MPEG-4", "FFV1", "MJPEG"};
-  constexpr std::array<const char*, 5> kEndings{".mp4", ".mp4", ".mp4", ".mkv", ".avi"};
+  static const std::vector<std::string> kCodecNames{"Auto", "H.264", "MPEG-4", "FFV1", "MJPEG", "VP9", "GIF"};
   film::Composition& film = draft.film;
   const Scope scope(ui, "File");
   whole_number(ui, "Width", film.width, 16, 8192, "In pixels; made even");
@@ -143,8 +141,9 @@ void ExportPanel::draw_file(Ui& ui, const WorkbenchState& state, FilmDraft& draf
   int codec = known ? static_cast<int>(*known) : -1;
   form_label(ui, "Codec");
   if (segmented(ui, "Codec", codec, kCodecNames, {.help = "Sets the file's ending, too; FFV1 loses nothing"})) {
-    film.codec = media::to_string(static_cast<media::Codec>(codec));
-    film.path = std::filesystem::path(film.path).replace_extension(kEndings[static_cast<std::size_t>(codec)]).string();
+    const auto chosen = static_cast<media::Codec>(codec);
+    film.codec = media::to_string(chosen);
+    film.path = std::filesystem::path(film.path).replace_extension(media::usual_ending(chosen)).string();
   }
   form_label(ui, "File");
   text_field(ui, "File", film.path, "film.mp4", {.help = "F_%05d.png writes a row of pictures"});
