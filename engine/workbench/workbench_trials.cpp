@@ -206,8 +206,9 @@ void Workbench::Impl::go_on_with_trials() {
   trials.rest_s = trials.rest_left_s = block.rest_s;
   rest_begins_s = options.clock->now_s();
   ++trials.block;
-  trials.transfer = 0;
   const bool more = trials.block < static_cast<int>(trials.blocks.size());
+  // Of the last block one still sees how it went.
+  if (more) trials.transfer = trials.successes = trials.drops = 0;
   trials.phase = !more ? TrialsPhase::kDone : trials.rest_s > 0.0 ? TrialsPhase::kResting : TrialsPhase::kReady;
   log(Severity::kInfo, more ? "The block is over" : "All blocks are over");
 }

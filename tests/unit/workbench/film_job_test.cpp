@@ -297,7 +297,7 @@ TEST_CASE("captions are in the file beside the film, in order, and only if they 
 
 TEST_CASE("cancelled in the middle, a film leaves nothing, neither a row of pictures nor subtitles") {
   film::Composition film = small({"Long"});
-  film.fps = 60.0;
+  film.fps = 50.0;
   film.overlays.set(Overlay::kCaptions);
   for (const char* name : {"film.mp4", "film.gif", "f_%04d.png"}) {
     const ScratchFolder folder;
