@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/learning/rollout.h"
+#include "engine/trial/provenance.h"
 #include "engine/trial/sampling.h"
 #include "engine/trial/segment_world.h"
 
@@ -40,16 +41,11 @@ Result<RecordedRollout> record_rollout(const learning::Model& model, spatial::Ce
                                                      cell.z, to_string(recorded.result.end)));
   }
 
-  demonstration::Provenance& provenance = recording->provenance;
-  provenance.operator_kind = "agent";
-  provenance.device = "rollout";
-  provenance.seed = options.seed;
-  provenance.block = options.block;
-  provenance.goal = options.goal;
   simulation::WorldOptions scene;
   scene.seed = options.seed;
-  provenance.scene_hash = scene_hash(scene);
-  provenance.software = kSoftware;
+  recording->provenance = provenance_on(scene, options.seed, options.block, options.goal);
+  recording->provenance.operator_kind = "agent";
+  recording->provenance.device = "rollout";
   recorded.recording = std::move(recording);
   return recorded;
 }
