@@ -15,7 +15,7 @@ import tempfile
 UI_MAY_SEE = {"core", "spatial", "peg_board", "statistics", "plot", "media", "scene", "demonstration", "control", "learning", "review",
               "figure", "trial", "study", "exchange", "workbench"}
 # One table of GL functions and one off-screen context serve the pictures and the window; a film is asked for in words and numbers.
-UI_MAY_INCLUDE = {"engine/render/gl_functions.h", "engine/render/osmesa_context.h", "engine/film/composition_words.h", "engine/film/property.h"}
+UI_MAY_INCLUDE = {"engine/render/gl_functions.h", "engine/render/osmesa_context.h", "engine/film/composition_words.h", "engine/film/pace.h", "engine/film/property.h"}
 
 # Pattern of an include in <…> or "…": who alone may write it. "app", "ui" and "tests" are owners like any module.
 OWNERS = [

@@ -86,7 +86,8 @@ void bind_film(CLI::App& verb, FilmArguments& arguments) {
   verb.add_option("DEMO", arguments.sources, "Demonstrations or trials, up to nine; or a job: F.json")->expected(1, 9);
   verb.add_option("--rollout", arguments.rollouts,
                   "MODEL or MODEL@I,J,K, more than once: what a model does in the simulator from a cell, or from where "
-                  "its first expert began; after the demonstrations");
+                  "its first expert began; after the demonstrations")
+      ->allow_extra_args(false);
   std::vector<std::string> presets;
   for (const std::string_view name : film::preset_names()) presets.emplace_back(name);
   verb.add_option("--preset", arguments.preset, "What the other options begin from")->check(CLI::IsMember(presets));

@@ -45,7 +45,7 @@ void draw_classes(Canvas& canvas, const ColourKey& key, double unit) {
 
 }  // namespace
 
-void draw_colour_key(Image& frame, const ColourKey& key, double right, double top, double unit) {
+void draw_colour_key(Image& frame, const ColourKey& key, double x, double top, double unit, bool from_right) {
   TROCAR_CHECK(key.classes ? key.words.size() == key.colours.size() : key.words.size() == 2 && key.colours.size() >= 2);
   const Canvas ruler{Image(1, 1)};
   double words = 0.0;
@@ -55,7 +55,7 @@ void draw_colour_key(Image& frame, const ColourKey& key, double right, double to
   const double rows = key.classes ? static_cast<double>(key.colours.size()) * kRow - (kRow - kSwatch) : kBarHeight;
   const double wide = words + (2.0 * kPad + kSwatch + kSpace) * unit;
   const double tall = (rows + 2.0 * kPad) * unit;
-  const Part whole{static_cast<int>(std::floor(right - wide)), static_cast<int>(std::floor(top)),
+  const Part whole{static_cast<int>(std::floor(from_right ? x - wide : x)), static_cast<int>(std::floor(top)),
                    static_cast<int>(std::ceil(wide)), static_cast<int>(std::ceil(tall))};
   const Part part = clipped(whole, frame.width, frame.height);
   if (part.width == 0 || part.height == 0) return;

@@ -15,8 +15,8 @@ struct ColourKey {
   bool classes = false;
 };
 
-/// On dark glass with its upper right corner there, in pixels; `unit` is the length of what is 1 at a height of 720.
-/// What does not fit into the frame is cut.
-void draw_colour_key(Image& frame, const ColourKey& key, double right, double top, double unit);
+/// On dark glass with its upper right corner there, or its upper left one, in pixels; `unit` is the length of what is 1
+/// at a height of 720. What does not fit into the frame is cut.
+void draw_colour_key(Image& frame, const ColourKey& key, double x, double top, double unit, bool from_right);
 
 }  // namespace trocar::film

@@ -48,6 +48,10 @@ Status check_tracks(const Source& source) {
           fmt::format("no property of a source is named \"{}\": there are {}", track.property, fmt::join(names, ", ")));
     }
     TROCAR_RETURN_IF_ERROR(check_keys(track.keys, *known));
+    const auto same = [&](const Track& other) { return other.property == track.property; };
+    if (std::count_if(source.tracks.begin(), source.tracks.end(), same) > 1) {
+      return refused(fmt::format("{} has two tracks of {}", source.of, track.property));
+    }
   }
   return {};
 }

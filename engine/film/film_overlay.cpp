@@ -180,8 +180,9 @@ struct FilmOverlay::Impl {
       y += 37.0 * unit;
     }
     if (!caption.colours) return;
+    if (caption.colours_at_left) return draw_colour_key(frame, *caption.colours, margin, y, unit, false);
     const double below_speed = margin + (speed.empty() ? 0.0 : 46.0 * unit);
-    draw_colour_key(frame, *caption.colours, width - margin, caption.lines_at_right ? y : below_speed, unit);
+    draw_colour_key(frame, *caption.colours, width - margin, caption.lines_at_right ? y : below_speed, unit, true);
   }
 
   void draw_authority(Canvas& canvas, const FrameCaption& caption, double x, double y) const {

@@ -42,7 +42,8 @@ struct FrameCaption {
   std::string status;                  ///< Above that, larger: "waiting".
   std::vector<std::string> lines;      ///< Below the title: measures.
   bool lines_at_right = false;         ///< … or in the other corner, if something lies there.
-  std::optional<ColourKey> colours;    ///< At the right: what the colours of a field in the scene mean.
+  std::optional<ColourKey> colours;    ///< At the right: what the colours of a field in the scene mean …
+  bool colours_at_left = false;        ///< … or below the lines, if something lies there.
   bool scripted = false;               ///< Said below the title unless the band's provenance is shown.
   Overlays shown = Overlays::usual();  ///< Which parts the band has.
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/check.h"
+#include "engine/film/pace.h"
 
 namespace trocar::film {
 namespace {
@@ -86,7 +87,7 @@ Result<TimeMap> TimeMap::create(std::vector<Stages> sources, const Pace& pace, d
     map.common_s_.push_back(map.common_s_.back() + longest_s);
   }
   map.sources_ = std::move(sources);
-  double film_s = map.running_at(map.duration_s());
+  double film_s = running_at(map.pace_, map.duration_s());
   for (const Hold& hold : pace.holds) film_s += hold.at_s <= map.duration_s() ? hold.for_s : 0.0;
   const double frames = std::floor(film_s * fps + 1e-6) + 1.0;
   if (!(frames * pace.loops <= kMostFrames)) {
@@ -96,20 +97,6 @@ Result<TimeMap> TimeMap::create(std::vector<Stages> sources, const Pace& pace, d
   return map;
 }
 
-double TimeMap::running_at(double common_s) const {
-  if (pace_.ramps.empty()) return common_s / pace_.speed;
-  // The area below the speed grows with time, at least by the slowest of its keys.
-  double slowest = pace_.ramps.front().value;
-  for (const Key& key : pace_.ramps) slowest = std::min(slowest, key.value);
-  double low = 0.0;
-  double high = common_s / slowest;
-  for (int i = 0; i < 100 && high - low > kTiny_s; ++i) {
-    const double middle = 0.5 * (low + high);
-    (area_to(pace_.ramps, middle, pace_.speed) < common_s ? low : high) = middle;
-  }
-  return high;
-}
-
 Moment TimeMap::at(int frame) const {
   TROCAR_CHECK(frame >= 0 && frame < frame_count());
   Moment moment;
@@ -117,7 +104,7 @@ Moment TimeMap::at(int frame) const {
   double running_s = moment.film_s;
   bool held = false;
   for (const Hold& hold : pace_.holds) {
-    const double from_s = running_at(hold.at_s);
+    const double from_s = running_at(pace_, hold.at_s);
     if (hold.at_s > duration_s() || running_s < from_s) break;
     held = running_s < from_s + hold.for_s;
     running_s = held ? from_s : running_s - hold.for_s;

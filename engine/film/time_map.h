@@ -56,8 +56,6 @@ class TimeMap {
 
  private:
   TimeMap() = default;
-  /// When the film, holds left out, comes to `common_s`.
-  double running_at(double common_s) const;
 
   std::vector<Stages> sources_;
   std::vector<double> common_s_;  ///< Begin of each stage, and the end.

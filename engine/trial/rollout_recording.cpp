@@ -22,7 +22,6 @@ Result<RecordedRollout> record_rollout(const learning::Model& model, spatial::Ce
   auto recording = std::make_shared<demonstration::Recording>();
   SampleContext context;
   context.block = options.block;
-  context.agent_pedal = true;
   context.authority = demonstration::Authority::kAgent;
   context.segment = options.segment;
   const auto watch = [&](const simulation::WorldState& state) {

@@ -12,7 +12,7 @@ namespace trocar::trial {
 
 struct RecordedRollout {
   PhysicsRollout result;
-  /// From the start, at 0 s, to half a second after the end; the agent has the arm all along.
+  /// From the start, at 0 s, to half a second after the end; the agent has the arm all along, and no pedal is held.
   std::shared_ptr<const demonstration::Recording> recording;
 };
 

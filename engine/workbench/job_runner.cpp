@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/core/background.h"
+
 namespace trocar::workbench {
 
 struct JobRunner::Job {
@@ -129,6 +131,7 @@ JobView* JobRunner::view(JobId id) {
 }
 
 void JobRunner::run(const std::stop_token& stop) {
+  give_way();
   for (;;) {
     wake_.acquire();
     if (stop.stop_requested()) return;

@@ -117,8 +117,9 @@ void film_beside_window(benchmark::State& run) {
   const testing::ScratchFolder folder;
   workbench::Workbench workbench({});
   workbench.post(workbench::OpenProject{folder.path() / "film.trocar", true});
+  if (!workbench.wait_idle(20.0)) return run.SkipWithError("the project was not made");
   workbench.post(workbench::RecordScripted{{}, "One", false});
-  if (!workbench.wait_idle(60.0)) return run.SkipWithError("the project was not made");
+  if (!workbench.wait_idle(60.0)) return run.SkipWithError("the demonstration was not made");
   film::Composition film;
   film.path = folder.path() / "film.mp4";
   film.sources.assign(static_cast<std::size_t>(run.range(0)), film::recording_of("One"));
@@ -153,7 +154,8 @@ void film_beside_window(benchmark::State& run) {
     run.counters["window_frames_per_s"] = drawn / took_s;
     run.counters["late"] = static_cast<double>(late) / drawn;
   }
-  if (!std::filesystem::exists(film.path)) run.SkipWithError("the film was not made");
+  const workbench::JobView& job = workbench.state().jobs.front();
+  if (job.state != workbench::JobState::kDone) run.SkipWithError(job.message.c_str());
 }
 BENCHMARK(film_beside_window)
     ->Name("film_beside_window_1280x720")

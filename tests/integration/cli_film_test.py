@@ -95,6 +95,10 @@ class Films(CommandLineTest):
         self.assertEqual(first["frames"], second["frames"])
         for i in range(first["frames"]):
             self.assertNotEqual((self.folder / f"a_{i:02}.png").read_bytes(), (self.folder / f"b_{i:02}.png").read_bytes())
+        # Wherever the option stands, what comes after it is a demonstration.
+        before = self.answer("video", "render", project, "--rollout", "A exact", "Expert", "--size", "160x90", "--fps", "5",
+                             "--write-job", self.folder / "before.json")
+        self.assertEqual(before["sources"], 2)
         alone = self.answer("video", "render", project, "--rollout", "A exact", "--size", "160x90", "--fps", "5", "--out",
                             self.folder / "alone.mp4")
         self.assertGreater(alone["frames"], 5)

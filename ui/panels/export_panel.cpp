@@ -80,6 +80,9 @@ void ExportPanel::draw_preview(Ui& ui, const WorkbenchState& state, FilmDraft& d
   }
   note_rect(ui, "picture", "Preview", shown ? fmt::format("frame {} of {}", preview->frame + 1, preview->frames) : "",
             room);
+  // The film may have become shorter.
+  const bool current = shown && !state.film_preview_pending && preview->of == workbench::look_of(draft.film);
+  if (current) draft.at_s = std::min(draft.at_s, preview->length_s);
   auto instant = static_cast<float>(draft.at_s);
   const float length = shown ? static_cast<float>(preview->length_s) : 0.0F;
   form_label(ui, "Instant");

@@ -172,12 +172,13 @@ void draw_rollout_source(Ui& ui, Source& source) {
 void draw_gates(Ui& ui, const WorkbenchState& state, FilmDraft& draft) {
   Source& source = draft.film.sources[draft.source];
   const auto& preview = state.film_preview;
-  if (source.kind == SourceKind::kField || !preview || draft.source >= preview->spans_s.size()) return;
+  if (source.kind == SourceKind::kField || !preview || preview->spans_s.size() != draft.film.sources.size()) return;
   const auto [begin_s, end_s] = preview->spans_s[draft.source];
   constexpr double kShortest_s = 0.1;
   if (end_s - begin_s <= kShortest_s) return;
   const auto slider = [&](std::string_view shown, std::optional<double>& gate, double low, double high, double usual,
                           std::string_view help) {
+    if (!(low < high)) return;
     auto value = static_cast<float>(gate.value_or(usual));
     form_label(ui, shown);
     if (!slider_float(ui, shown, value, static_cast<float>(low), static_cast<float>(high), "%.2f s", {.help = help})) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/film/pace.h"
 #include "engine/film/property.h"
 #include "ui/format.h"
 #include "ui/icons.h"
@@ -53,7 +54,7 @@ std::string words_of(const Property& property, double value) {
 }
 
 /// Where the film goes on by one of its keys.
-void draw_keys(Ui& ui, FilmDraft& draft, const Property& property, std::vector<film::Key>& keys) {
+void draw_keys(Ui& ui, FilmDraft& draft, const Property& property, double at_s, std::vector<film::Key>& keys) {
   static const std::vector<std::string> kEases{"Even", "Smooth", "Hold", "Spline"};
   std::size_t removed = keys.size();
   const float left = ImGui::GetCursorPosX();
@@ -64,9 +65,10 @@ void draw_keys(Ui& ui, FilmDraft& draft, const Property& property, std::vector<f
     const std::string name = seconds(key.t_s);
     const Scope own(ui, name);
     ImGui::PushID(static_cast<int>(i));
-    const bool here = std::abs(key.t_s - draft.at_s) < 0.5 * frame_s(draft.film);
+    const bool here = std::abs(key.t_s - at_s) < 0.5 * frame_s(draft.film);
     if (toggle(ui, "Go there", here, {.icon = icon::kClock, .icon_only = true, .help = "Shows the film at this key"})) {
-      draft.at_s = key.t_s;
+      // Keys of the speed do not count holds.
+      draft.at_s = &property == &film::speed_property() ? film::film_time_of(draft.film.pace, key.t_s) : key.t_s;
     }
     ImGui::SameLine(0.0F, ui.px(8));
     ImGui::AlignTextToFramePadding();
@@ -98,12 +100,14 @@ void draw_keys(Ui& ui, FilmDraft& draft, const Property& property, std::vector<f
 template <typename Of>
 void draw_property(Ui& ui, FilmDraft& draft, Of& of, const Property& property, const std::array<double, 2>& range) {
   const std::string shown(property.shown);
+  const bool speed = &property == &film::speed_property();
+  const double at_s = speed ? film::running_of(draft.film.pace, draft.at_s) : draft.at_s;
   std::vector<film::Key> keys = film::keys_of(of, property.name);
-  const double now = film::value_of(of, property.name, draft.at_s);
+  const double now = film::value_of(of, property.name, at_s);
   const double apart_s = 0.5 * frame_s(draft.film);
-  const auto here = std::find_if(keys.begin(), keys.end(),
-                                 [&](const film::Key& key) { return std::abs(key.t_s - draft.at_s) < apart_s; });
-  const film::Key added{draft.at_s, now, here == keys.end() ? film::Ease::kSmooth : here->ease};
+  const auto here =
+      std::find_if(keys.begin(), keys.end(), [&](const film::Key& key) { return std::abs(key.t_s - at_s) < apart_s; });
+  const film::Key added{at_s, now, here == keys.end() ? film::Ease::kSmooth : here->ease};
   form_label(ui, shown);
   auto value = static_cast<float>(property.factor * now);
   const std::string format = fmt::format("%.{}f{}", property.decimals, property.unit == " %" ? " %%" : property.unit);
@@ -133,7 +137,7 @@ void draw_property(Ui& ui, FilmDraft& draft, Of& of, const Property& property, c
   }
   if (!keys.empty()) {
     const Scope list(ui, "Keys");
-    draw_keys(ui, draft, property, keys);
+    draw_keys(ui, draft, property, at_s, keys);
   }
   film::set_keys(of, property.name, std::move(keys));
 }

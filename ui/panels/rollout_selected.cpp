@@ -108,7 +108,8 @@ void draw_selected_rollout(Ui& ui, const WorkbenchState& state, Requests& reques
   }
   if (button(ui, "Film it",
              {.icon = icon::kFilm,
-              .help = "The workspace Export: this rollout, in the simulator, is a source of the film",
+              .help = "The workspace Export: the simulator's rollout from this cell, seed 1 and without errors, is a "
+                      "source of the film",
               .reason = state.film.film.sources.size() >= 9 ? "A film has room for nine sources" : ""})) {
     const spatial::CellCoordinates start = grid.coordinates(rollout.start);
     film::Source source = film::recording_of(fmt::format("{}", insight.entry->id.value));

@@ -19,8 +19,9 @@ struct PaneLook {
   int height = 720;
   film::Overlays overlays = film::Overlays::usual();
   film::Quality quality = film::Quality::kFast;
-  bool inset = false;           ///< It lies in another: it has no band.
-  bool lines_at_right = false;  ///< Another lies in its upper left corner.
+  bool inset = false;            ///< It lies in another: it has no band.
+  bool lines_at_right = false;   ///< Another lies in its upper left corner …
+  bool colours_at_left = false;  ///< … or in its upper right one.
 };
 
 struct PaneMoment {

@@ -9,6 +9,7 @@
 
 #include "engine/figure/field_figure.h"
 #include "engine/film/property.h"
+#include "engine/plot/colour_map.h"
 #include "engine/workbench/insight.h"
 #include "engine/workbench/jobs/film_camera.h"
 #include "engine/workbench/jobs/still_job.h"
@@ -54,7 +55,11 @@ film::ColourKey key_of(const stage::FieldLayer& layer) {
     return key;
   }
   for (int i = 0; i < kSteps; ++i) key.colours.push_back(layer.colouring.colour_at(i / (kSteps - 1.0)));
-  const auto words = [&](double position) { return fmt::format("{:.3g}", layer.colouring.scale.value(position)); };
+  const auto words = [&](double position) {
+    std::string number = fmt::format("{:.3g}", layer.colouring.scale.value(position));
+    if (number.front() == '-') number.replace(0, 1, plot::unicode_minus());
+    return number;
+  };
   key.words = {words(0.0), words(1.0)};
   if (!layer.field->unit.empty()) key.words.back() += " " + layer.field->unit;
   return key;
@@ -116,6 +121,11 @@ Status RecordingPane::add_field() {
   return {};
 }
 
+int RecordingPane::slice_at(double film_s) const {
+  const auto index = static_cast<int>(std::lround(film::value_of(source_.said, "slice", film_s)));
+  return std::clamp(index, 0, field_->layer.field->grid.n - 1);
+}
+
 ViewRequest RecordingPane::view_at(const PaneMoment& moment) const {
   const double at_s = moment.instant.at_s;
   const Eigen::Vector3d followed = tips_ ? tips_->followed(at_s) : Eigen::Vector3d::Zero();
@@ -136,8 +146,7 @@ ViewRequest RecordingPane::view_at(const PaneMoment& moment) const {
   if (field_) {
     view.fields = {field_->layer};
     stage::FieldLayer& layer = view.fields.front();
-    const double index = film::value_of(source_.said, "slice", moment.film_s);
-    layer.slices[field_->axis] = std::clamp(static_cast<int>(std::lround(index)), 0, layer.field->grid.n - 1);
+    layer.slices[field_->axis] = slice_at(moment.film_s);
     layer.opacity = static_cast<float>(film::value_of(source_.said, "field.opacity", moment.film_s));
   }
   return view;
@@ -166,8 +175,8 @@ std::vector<std::string> RecordingPane::lines_at(const PaneMoment& moment) const
   std::vector<std::string> lines;
   if (field_) {
     constexpr std::array<char, 3> kAxes{'x', 'y', 'z'};
-    lines.push_back(fmt::format("{} of {}, {} = {:.0f}", field_->layer.field->title, source_.field_model->name,
-                                kAxes[field_->axis], film::value_of(source_.said, "slice", moment.film_s)));
+    lines.push_back(fmt::format("{} of {}, {} = {}", field_->layer.field->title, source_.field_model->name,
+                                kAxes[field_->axis], slice_at(moment.film_s)));
   }
   if (tips_ && look_.overlays.has(Overlay::kMetrics)) {
     lines.push_back(fmt::format("speed {:.0f} mm/s", 1000.0 * tips_->speed_m_s(at_s)));
@@ -195,9 +204,12 @@ film::FrameCaption RecordingPane::captions(const PaneMoment& moment) const {
   caption.provenance = source_.provenance;
   caption.scripted = source_.scripted;
   caption.shown = look_.overlays;
+  // Nobody holds a pedal in a rollout.
+  if (source_.said.kind == film::SourceKind::kRollout) caption.shown.set(Overlay::kPedals, false);
   if (!look_.inset) caption.lines = lines_at(moment);
   if (field_ && !look_.inset && look_.overlays.has(Overlay::kColourBar)) caption.colours = field_->colours;
   caption.lines_at_right = look_.lines_at_right;
+  caption.colours_at_left = look_.colours_at_left;
   if (look_.overlays.has(Overlay::kCaptions) && !look_.inset) caption.caption = caption_at(moment.instant);
   if (moment.instant.waiting) caption.status = "waiting";
   if (moment.instant.over) caption.status = "finished";

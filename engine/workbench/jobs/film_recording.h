@@ -20,6 +20,8 @@ class RecordingPane final : public FilmPane {
  private:
   RecordingPane(FilmSource source, const PaneLook& look);
   Status add_field();
+  /// The cell at which the field in the scene is cut. Precondition: there is one.
+  int slice_at(double film_s) const;
   ViewRequest view_at(const PaneMoment& moment) const;
   /// The scene without captions; one that stands still is not drawn again.
   Result<Image> picture(Studio& studio, const PaneMoment& moment);

@@ -79,6 +79,7 @@ PaneLook FilmRenderer::look_of(std::size_t source) const {
   look.quality = film_.quality;
   look.inset = inside && source > 0;
   look.lines_at_right = inside && source == 0 && film_.corner == film::Corner::kTopLeft;
+  look.colours_at_left = inside && source == 0 && film_.corner == film::Corner::kTopRight;
   return look;
 }
 

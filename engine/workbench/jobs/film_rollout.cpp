@@ -29,8 +29,10 @@ Result<FilmedRollout> RolloutShelf::rollout(const Project& project, const ModelE
                                             const std::optional<std::array<int, 3>>& start) {
   TROCAR_ASSIGN_OR_RETURN(const spatial::CellIndex cell, start_of(entry, start));
   const trial::PhysicsOptions options = physics_options_of(project, entry, {});
+  // One that was read has no hash beside it: it is its own.
+  const std::uint64_t model_hash = entry.model->hash();
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
-    return kept.model_hash == entry.model_hash && kept.start == cell && same_runs(kept.options, options);
+    return kept.model_hash == model_hash && kept.start == cell && same_runs(kept.options, options);
   });
   if (found != kept_.end()) {
     std::rotate(found, found + 1, kept_.end());
@@ -48,7 +50,7 @@ Result<FilmedRollout> RolloutShelf::rollout(const Project& project, const ModelE
                               {0}, fmt::format("{} from {},{},{}", entry.name, at.x, at.y, at.z), recorded.recording));
   rollout.shown = std::make_shared<const demonstration::Demonstration>(std::move(shown));
   if (kept_.size() == kMostKept) kept_.erase(kept_.begin());
-  kept_.push_back({entry.model_hash, cell, options, rollout});
+  kept_.push_back({model_hash, cell, options, rollout});
   return rollout;
 }
 

@@ -116,7 +116,7 @@ Status find_field(const Project& project, FilmSource& source) {
   source.title = source.model->name;
   source.scripted = by_scripts(project, *source.model);
   source.provenance = fmt::format("{}, {}", source.scripted ? "learned from scripted demonstrations" : "learned",
-                                  hash_words(source.model->model_hash));
+                                  hash_words(source.model->model->hash()));
   return {};
 }
 
@@ -124,21 +124,18 @@ Status find_rollout(const Project& project, FilmSource& source, RolloutShelf& sh
   TROCAR_ASSIGN_OR_RETURN(source.model, whole_model(project, source.said.of));
   TROCAR_ASSIGN_OR_RETURN(const FilmedRollout rollout, shelf.rollout(project, *source.model, source.said.start));
   source.shown = rollout.shown;
-  source.title = rollout.shown->name;
+  source.title = fmt::format("{} from {}", source.model->name, fmt::join(rollout.start, ","));
   source.ending = trial::to_string(rollout.result.end);
   source.ends_s = rollout.result.duration_s;
   source.scripted = by_scripts(project, *source.model);
   source.provenance =
       fmt::format("rollout in the simulator, seed {}, {}{}, {}", rollout.shown->recording->provenance.seed,
                   source.scripted ? "learned from scripted demonstrations, " : "",
-                  rollout.shown->recording->provenance.software, hash_words(source.model->model_hash));
+                  rollout.shown->recording->provenance.software, hash_words(source.model->model->hash()));
   return keep_gates(source);
 }
 
 Status find_source(const Project& project, FilmSource& source, RolloutShelf& shelf) {
-  if (source.said.field) {
-    TROCAR_ASSIGN_OR_RETURN(source.field_model, whole_model(project, source.said.field->of));
-  }
   switch (source.said.kind) {
     case film::SourceKind::kField:
       return find_field(project, source);
@@ -151,6 +148,17 @@ Status find_source(const Project& project, FilmSource& source, RolloutShelf& she
   return find_recording(project, source);
 }
 
+/// Whose field is in the scene: what a script taught it makes the whole of it scripted.
+Status find_scene_field(const Project& project, FilmSource& source) {
+  if (!source.said.field) return {};
+  TROCAR_ASSIGN_OR_RETURN(source.field_model, whole_model(project, source.said.field->of));
+  const bool by_script = by_scripts(project, *source.field_model);
+  source.scripted = source.scripted || by_script;
+  source.provenance += fmt::format("; field {}{}", by_script ? "learned from scripted demonstrations, " : "",
+                                   hash_words(source.field_model->model->hash()));
+  return {};
+}
+
 }  // namespace
 
 Result<std::vector<FilmSource>> film_sources(const Project& project, const film::Composition& film,
@@ -160,6 +168,7 @@ Result<std::vector<FilmSource>> film_sources(const Project& project, const film:
     FilmSource source;
     source.said = said;
     TROCAR_RETURN_IF_ERROR(find_source(project, source, shelf));
+    TROCAR_RETURN_IF_ERROR(find_scene_field(project, source));
     if (!said.title.empty()) source.title = said.title;
     sources.push_back(std::move(source));
   }

@@ -86,6 +86,7 @@ TEST_CASE("a job with a slip of the pen is refused, and the sentence says where"
            {R"({"sources": [{"of": "1"}], "tracks": [{"property": "share", "keys": [{"t": 0, "value": 2}]}]})",
             "share"},
            {R"({"sources": [{"of": "1", "brightness": 1.5}]})", "brightness"},
+           {R"({"sources": [{"of": "1", "tracks": [{"property": "zoom"}, {"property": "zoom"}]}]})", "two tracks"},
            {R"({"sources": [{"of": "1", "camera": {"zoom": 0}}]})", "zoom"},
            {R"({"sources": [{"of": "1", "field": {"layer": "value"}}]})", "which model"},
            {R"({"sources": [{"of": "1", "kind": "curve", "field": {"of": "2"}}]})", "no scene"},

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
+
+#include "engine/film/pace.h"
 
 using namespace trocar::film;
 
@@ -106,4 +110,22 @@ TEST_CASE("a spline goes through its keys without a corner and never beyond them
   CHECK(area_to(keys, 4.0, 0.0) == doctest::Approx(area).epsilon(1e-6));
   CHECK(area_to(keys, 1.2, 0.0) ==
         doctest::Approx(area_to(keys, 1.0, 0.0) + 0.2 * value_at(keys, 1.1, 0.0)).epsilon(0.05));
+}
+
+TEST_CASE("the keys of the speed do not count holds, and between both times one comes and goes") {
+  Pace pace;
+  pace.speed = 2.0;
+  pace.holds = {{1.0, 0.5}, {3.0, 2.0}};
+  CHECK(running_at(pace, 3.0) == doctest::Approx(1.5));
+  // Before the first hold, within it, after it, within the second, after both.
+  for (const auto& [film_s, running_s] :
+       std::vector<std::pair<double, double>>{{0.3, 0.3}, {0.7, 0.5}, {1.2, 0.7}, {2.5, 1.5}, {4.5, 2.0}}) {
+    CAPTURE(film_s);
+    CHECK(running_of(pace, film_s) == doctest::Approx(running_s));
+  }
+  CHECK(film_time_of(pace, 0.3) == doctest::Approx(0.3));
+  CHECK(film_time_of(pace, 0.7) == doctest::Approx(1.2));
+  CHECK(film_time_of(pace, 2.0) == doctest::Approx(4.5));
+  pace.ramps = {{0.0, 1.0}, {2.0, 3.0}};
+  CHECK(area_to(pace.ramps, running_at(pace, 3.0), pace.speed) == doctest::Approx(3.0));
 }

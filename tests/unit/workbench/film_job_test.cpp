@@ -451,6 +451,58 @@ TEST_CASE("a rollout is filmed in the simulator, with its field in the scene and
   CHECK_FALSE(FilmRenderer::create(film, *project_with_model(), diagnostics));
 }
 
+TEST_CASE("two models have rollouts of their own on one shelf, and the film says whose they are by their hashes") {
+  auto both = std::make_shared<Project>(*project_with_model());
+  auto other = std::make_shared<ModelEntry>(*both->models.at({9}));
+  other->id = {10};
+  other->name = "Another";
+  learning::TrainOptions options;
+  options.method = learning::Method::kExact;
+  Progress progress;
+  const spatial::Grid grid;
+  auto model = learning::train(grid, {trocar::testing::approach_from_above(grid, {4, 4, 14}, {12, 12, 10}, 3, 1)},
+                               options, progress);
+  REQUIRE_MESSAGE(model, (model ? "" : model.error().text()));
+  other->model = std::make_shared<const learning::Model>(std::move(*model));
+  both->models[other->id] = other;
+  film::Composition film = small({"A exact", "Another", "Hand"});
+  film.layout = film::Layout::kTwoByTwo;
+  film.sources[0].kind = film::SourceKind::kRollout;
+  film.sources[1].kind = film::SourceKind::kRollout;
+  film.sources[2].field = film::SceneField{"A exact"};
+  RolloutShelf shelf;
+  const auto sources = film_sources(*both, film, shelf);
+  REQUIRE_MESSAGE(sources, (sources ? "" : sources.error().text()));
+  CHECK((*sources)[0].shown != (*sources)[1].shown);
+  CHECK((*sources)[0].out_s != (*sources)[1].out_s);
+  CHECK((*sources)[1].title.find("Another from") == 0);
+  for (const FilmSource& source : *sources) {
+    CHECK(source.provenance.find("0000000000000000") == std::string::npos);
+    // The person's recording too: what is seen in its scene was learned from a script.
+    CHECK(source.scripted);
+  }
+}
+
+TEST_CASE("a slice that moves is called what it is, and its colours stand where no inset lies") {
+  film::Composition film = small({"Long", "Short"});
+  film.layout = film::Layout::kPictureInPicture;
+  film.sources[0].field = film::SceneField{"A exact", "value", "z=9"};
+  film.overlays = {};
+  film.overlays.set(Overlay::kColourBar);
+  for (const film::Corner corner : {film::Corner::kTopRight, film::Corner::kTopLeft, film::Corner::kBottomLeft}) {
+    film.corner = corner;
+    film::Composition without = film;
+    without.overlays = {};
+    const Image with_key = frames_with_model(film, {0})[0];
+    CHECK(changed_pixels(with_key, frames_with_model(without, {0})[0]) > 300);
+  }
+  // Beyond the lattice it is the last one: label and picture alike.
+  film.sources[0].tracks = {{"slice", {{0.0, 300.0}}}};
+  film::Composition last = film;
+  last.sources[0].tracks = {{"slice", {{0.0, 21.0}}}};
+  CHECK(frames_with_model(film, {0})[0] == frames_with_model(last, {0})[0]);
+}
+
 TEST_CASE("whatever number of a source has keys, what is seen changes with it") {
   film::Composition film = small({"Long", "Short"});
   film.pace.holds = {{2.0, 3.0}};
