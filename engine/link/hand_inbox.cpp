@@ -75,6 +75,14 @@ std::optional<trial::HandSample> HandInbox::take_pedal() {
   return std::nullopt;
 }
 
+void HandInbox::pass_over() {
+  waiting_.clear();
+  if (!any_) return;
+  taken_ = newest_.sample();
+  assistant_ = newest_.assistant_sample();
+  any_taken_ = true;
+}
+
 void LinkWatchdog::heard(std::int64_t at_ns, bool present) {
   heard_ns_ = at_ns;
   present_ = present;

@@ -28,7 +28,11 @@ class HandInbox {
   std::optional<trial::HandSample> take();
   /// The same if a pedal changes by it; a hand that only moved waits.
   std::optional<trial::HandSample> take_pedal();
+  /// What waits is gone by, pedals too: the newest frame is as if it had been taken.
+  void pass_over();
 
+  /// The frame that was taken last; nothing if none ever was.
+  std::optional<trial::HandSample> taken() const { return any_taken_ ? std::optional(taken_) : std::nullopt; }
   /// The right hand of the frame that was taken last.
   const trial::HandSample& assistant() const { return assistant_; }
 

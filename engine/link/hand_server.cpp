@@ -266,6 +266,19 @@ double HandServer::silent_s() {
   return 1e-9 * static_cast<double>(impl_->watchdog.age_ns(monotonic_ns()));
 }
 
+void HandServer::pass_over() {
+  impl_->drain();
+  impl_->inbox.pass_over();
+  if (const auto taken = impl_->inbox.taken()) impl_->last = *taken;
+}
+
+void HandServer::begin_anew() {
+  pass_over();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->delays = {};
+  impl_->round_trips = {};
+}
+
 void HandServer::tell(control::ControlState state) {
   impl_->authority.store(static_cast<int>(state));
 }

@@ -38,8 +38,8 @@ struct HandServerStatus {
 };
 
 /// One console at a time; one that is silent for 2 s makes way for another. The network has a thread of its own, which
-/// the control loop never waits for. Threads: `sample`, `news`, `link`, `arrived` and those of the assistant by one,
-/// the control loop's; `status` and `tell` by any.
+/// the control loop never waits for. Threads: `sample`, `news`, `link`, `arrived`, `pass_over`, `begin_anew` and those
+/// of the assistant by one, the control loop's while it runs; `status` and `tell` by any.
 class HandServer final : public trial::OperatorInput {
  public:
   /// Errors: kIo where the address or port cannot be had; kInvalidArgument for what is no address.
@@ -53,6 +53,10 @@ class HandServer final : public trial::OperatorInput {
   bool arrived();
   /// Seconds since a frame was last taken in; large if none ever was.
   double silent_s();
+  /// Between two transfers: what came is gone by, and is of neither.
+  void pass_over();
+  /// Before a transfer: the same, and delays are those of what comes from now on.
+  void begin_anew();
   /// What the answers to the console say of who has the arm.
   void tell(control::ControlState state);
 

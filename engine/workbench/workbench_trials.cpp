@@ -126,6 +126,7 @@ void Workbench::Impl::begin_transfer() {
   start.transfer = trials.transfer;
   start.person = trials.request.person;
   start.person_assists = trials.request.person_assists;
+  if (hand_server) hand_server->begin_anew();
   start.console = hand_server.get();
   start.realtime = trials.request.realtime;
   auto started = LiveRecording::start(*file, start);
@@ -153,6 +154,7 @@ void Workbench::Impl::poll_console() {
     if (!recording) hand_server.reset();
     return;
   }
+  if (!recording) hand_server->pass_over();
   const link::HandServerStatus status = hand_server->status();
   // Who has been gone for so long does not come back: the transfer ends, and the block waits for somebody.
   constexpr double kGone_s = 10.0;

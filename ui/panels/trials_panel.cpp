@@ -92,7 +92,8 @@ std::string TrialsPanel::reason(const WorkbenchState& state) const {
   if (std::string why = command("trials.start").reason_now(state); !why.empty()) return why;
   if (const auto delay = control::delay_from(delay_); !delay) return delay.error().text();
   if (protocol_ == kFromFile && protocol_file_.empty()) return "Type the file of a protocol";
-  const bool shared = protocol_ != 0 || mode_ == 1;
+  // What the blocks of a file need is known when it is read.
+  const bool shared = protocol_ == 0 ? mode_ == 1 : protocol_ != kFromFile;
   const bool any = std::any_of(state.project->models.begin(), state.project->models.end(), [](const auto& each) {
     return each.second->segment == demonstration::Segment::kA || each.second->segment == demonstration::Segment::kC;
   });

@@ -190,3 +190,20 @@ TEST_CASE("a pacer's deadlines do not drift") {
   CHECK(monotonic_ns() - begin_ns >= 19'000'000);
   CHECK(pacer.lateness().ticks() == 20);
 }
+
+TEST_CASE("what is passed over is gone by, pedals too, and what comes after it is new") {
+  HandInbox inbox;
+  inbox.pass_over();
+  CHECK_FALSE(inbox.taken());
+  for (const auto& each : {frame(1), frame(2, true, 1), frame(3, false, 1), frame(4, true, 2)}) inbox.put(each);
+  inbox.pass_over();
+  REQUIRE(inbox.taken());
+  CHECK(inbox.taken()->agent_pedal);
+  CHECK_FALSE(inbox.take());
+  CHECK_FALSE(inbox.take_pedal());
+  inbox.put(frame(5, false, 2));
+  const auto up = inbox.take_pedal();
+  REQUIRE(up);
+  CHECK_FALSE(up->agent_pedal);
+  CHECK(inbox.dropped() == 0);
+}
