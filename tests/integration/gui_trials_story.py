@@ -59,7 +59,7 @@ class Story(CommandLineTest):
 
     def check_release(self, project):
         """The arm is the operator's within one period of the release, or had been since the agent's segment ended. Of a
-        release in the middle of the agent's way tells cli_link_test."""
+        release in the middle of the agent's way tell gui_live_trials_story and cli_link_test."""
         events = self.answer("trial", "show", project, "SC 1")["events"]
         begins = [event["t_s"] for event in events if event["text"].startswith("begins")]
         self.assertEqual(len(begins), 2)
