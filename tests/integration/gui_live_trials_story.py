@@ -120,7 +120,7 @@ class Live(CommandLineTest):
         self.check_ended_by_silence(states)
         self.assertTrue(self.answer("trial", "replay", project, trial["name"], "--verify")["verified"])
 
-    def test_a_console_that_is_there_but_silent_ends_its_transfer(self):
+    def test_a_console_that_is_there_but_silent_ends_its_transfer_which_has_nothing_of_what_was_before(self):
         project = self.empty_project()
         port = free_port()
         window = self.started(project, "J5_consoles", port)
@@ -128,6 +128,8 @@ class Live(CommandLineTest):
         self.dumped(window, "paused.json")
         far.terminate()
         far.communicate(timeout=PATIENCE_S)
+        # While nobody has a transfer somebody tries the clutch.
+        self.played(self.scripted(port, "0.6 clutch down\n0.8 clutch up\n1.2 end\n"))
         last = self.console(port, "--source", "still", "--seconds", "300")
         self.dumped(window, "running.json")
         # Its connection stays.
@@ -140,8 +142,22 @@ class Live(CommandLineTest):
         self.assertEqual([text for text, _ in self.states(project, "MT 1")][-2:], ["clutch", "stopped"])
         self.assertEqual((second["name"], second["outcome"], second["path_length_m"]), ("MT 2", "aborted", 0.0))
         self.check_ended_by_silence(self.states(project, "MT 2"))
+        # Neither the clutch of the pause nor the delay of the first transfer is this one's.
+        self.assertEqual([event["text"] for event in self.events(project, "MT 2") if event["kind"] == "pedal"], [])
+        self.assertEqual(second["clutches"], 0)
+        self.assertLess(second["delay_mean_s"], 0.030)
         for trial in (first, second):
             self.assertTrue(self.answer("trial", "replay", project, trial["name"], "--verify")["verified"])
+
+    def test_a_file_of_manual_blocks_alone_asks_for_no_model(self):
+        (self.folder / "manual.json").write_text(json.dumps(
+            {"name": "Manual", "transfer_s": 60, "blocks": [{"name": "Manual", "mode": "MT", "transfers": 1}]}))
+        script = self.folder / "manual.ui"
+        script.write_text('click "Menu/Workspaces/Trials"\nframes 3\nclick "Tabs/Trials"\nframes 2\n'
+                          'click "Trials/Page/Run"\nclick "Trials/Setup/Protocol"\nclick "Protocol/From a file"\n'
+                          'frames 2\ntype "Trials/Setup/Protocol file" "manual.json"\nframes 2\n'
+                          'expect "Trials/Setup/Start" enabled\n')
+        self.answer("ui", "run", "--project", self.empty_project(), "--script", script, "--size", "1600x1000")
 
 
 if __name__ == "__main__":
