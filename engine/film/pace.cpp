@@ -5,7 +5,7 @@
 namespace trocar::film {
 namespace {
 
-constexpr double kTiny_s = 1e-9;
+constexpr double kNoTime_s = 1e-9;
 
 }  // namespace
 
@@ -16,7 +16,7 @@ double running_at(const Pace& pace, double common_s) {
   for (const Key& key : pace.ramps) slowest = std::min(slowest, key.value);
   double low = 0.0;
   double high = common_s / slowest;
-  for (int i = 0; i < 100 && high - low > kTiny_s; ++i) {
+  for (int i = 0; i < 100 && high - low > kNoTime_s; ++i) {
     const double middle = 0.5 * (low + high);
     (area_to(pace.ramps, middle, pace.speed) < common_s ? low : high) = middle;
   }
