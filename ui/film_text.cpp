@@ -71,6 +71,7 @@ std::string film_text(const Composition& film, const workbench::WorkbenchState& 
   const film::View view = film.sources.front().camera.view;
   if (view != film::View::kPaper) text += fmt::format(" --camera {}", film::word_of(film::kViews, view));
   if (film.codec != usual.codec) text += " --codec " + film.codec;
+  if (film.crf) text += fmt::format(" --crf {}", *film.crf);
   if (film.quality != usual.quality)
     text += fmt::format(" --quality {}", film::word_of(film::kQualities, film.quality));
   if (film.overlays != usual.overlays) text += " --overlays " + overlay_words(film.overlays);

@@ -35,7 +35,7 @@ std::vector<Finding> examine_codecs() {
   for (const Codec codec : media::all_codecs()) {
     const bool found = std::find(available.begin(), available.end(), codec) != available.end();
     findings.push_back({"codecs", std::string(media::to_string(codec)), found,
-                        found ? "films can be written" : "OpenCV's video backend on this machine cannot write it"});
+                        found ? "films can be written" : "FFmpeg's libraries on this machine cannot write it"});
   }
   return findings;
 }

@@ -74,6 +74,7 @@ Status apply(const FilmArguments& arguments, film::Composition& film) {
   film.fps = arguments.fps.value_or(film.fps);
   film.pace.speed = arguments.speed.value_or(film.pace.speed);
   film.codec = arguments.codec.value_or(film.codec);
+  if (arguments.crf) film.crf = arguments.crf;
   if (arguments.layout) film.layout = *film::value_of(film::kLayouts, *arguments.layout);
   if (arguments.sync) film.pace.sync = *film::value_of(film::kSyncs, *arguments.sync);
   if (arguments.quality) film.quality = *film::value_of(film::kQualities, *arguments.quality);
@@ -100,6 +101,9 @@ void bind_film(CLI::App& verb, FilmArguments& arguments) {
       ->check(CLI::IsMember(texts(film::kSyncs)));
   verb.add_option("--camera", arguments.camera, "Of all sources (paper)")->check(CLI::IsMember(cameras()));
   verb.add_option("--codec", arguments.codec, "auto, or one of `trocar doctor`'s");
+  verb.add_option(
+      "--crf", arguments.crf,
+      "How much the file may lose: 0 to 51 for h264 (20), to 63 for vp9 (30) and av1 (32); less looks better");
   verb.add_option("--quality", arguments.quality, "fast, or fine: four samples a pixel")
       ->check(CLI::IsMember(texts(film::kQualities)));
   verb.add_option("--overlays", arguments.overlays,

@@ -22,6 +22,7 @@ struct FilmArguments {
   std::optional<std::string> sync;
   std::optional<std::string> camera;
   std::optional<std::string> codec;
+  std::optional<int> crf;
   std::optional<std::string> quality;
   std::optional<std::string> overlays;
   bool no_captions = false;

@@ -34,6 +34,12 @@ class Reader {
     value.emplace(0.0);
     number(key, *value);
   }
+  void whole(const char* key, std::optional<int>& value) {
+    if (find(key) == nullptr) return;
+    int read = 0;
+    whole(key, read);
+    value = read;
+  }
   void whole(const char* key, int& value) {
     double read = value;
     number(key, read);
@@ -209,6 +215,7 @@ void read_film(Reader& reader, Composition& film) {
   reader.whole("height", film.height);
   reader.number("fps", film.fps);
   reader.text("codec", film.codec);
+  reader.whole("crf", film.crf);
   reader.word("quality", kQualities, film.quality);
   reader.word("layout", kLayouts, film.layout);
   reader.word("corner", kCorners, film.corner);
@@ -284,6 +291,7 @@ std::string to_json(const Composition& film) {
   json["height"] = film.height;
   json["fps"] = film.fps;
   json["codec"] = film.codec;
+  if (film.crf) json["crf"] = *film.crf;
   json["quality"] = word_of(kQualities, film.quality);
   json["layout"] = word_of(kLayouts, film.layout);
   if (film.layout == Layout::kPictureInPicture || film.corner != Corner::kBottomRight || film.share != 0.3) {

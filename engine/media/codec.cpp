@@ -17,19 +17,21 @@ namespace {
 struct CodecRow {
   Codec codec;
   std::string_view name;
-  const char* fourcc;
+  const char* encoder;
   std::vector<std::string_view> extensions;  ///< The first one is usual.
   bool automatic;                            ///< Tried for kAuto, in this order.
+  Crf crf;
 };
 
-const std::array<CodecRow, 6>& rows() {
-  static const std::array<CodecRow, 6> table{{
-      {Codec::kH264, "h264", "avc1", {".mp4", ".mov", ".mkv"}, true},
-      {Codec::kMpeg4, "mpeg4", "mp4v", {".mp4", ".mov", ".mkv", ".avi"}, true},
-      {Codec::kMotionJpeg, "mjpeg", "MJPG", {".avi", ".mkv", ".mov"}, true},
-      {Codec::kFfv1, "ffv1", "FFV1", {".mkv", ".avi"}, false},
-      {Codec::kVp9, "vp9", "VP90", {".webm", ".mkv"}, true},
-      {Codec::kGif, "gif", "", {".gif"}, true},
+const std::array<CodecRow, 7>& rows() {
+  static const std::array<CodecRow, 7> table{{
+      {Codec::kH264, "h264", "libx264", {".mp4", ".mov", ".mkv"}, true, {20, 51}},
+      {Codec::kMpeg4, "mpeg4", "mpeg4", {".mp4", ".mov", ".mkv", ".avi"}, true, {}},
+      {Codec::kMotionJpeg, "mjpeg", "mjpeg", {".avi", ".mkv", ".mov"}, true, {}},
+      {Codec::kFfv1, "ffv1", "ffv1", {".mkv", ".avi"}, false, {}},
+      {Codec::kVp9, "vp9", "libvpx-vp9", {".webm", ".mkv"}, true, {30, 63}},
+      {Codec::kAv1, "av1", "libsvtav1", {".mp4", ".webm", ".mkv"}, false, {32, 63}},
+      {Codec::kGif, "gif", "", {".gif"}, true, {}},
   }};
   return table;
 }
@@ -67,12 +69,13 @@ bool works(const trocar_media_api& api, const CodecRow& row) {
   const std::filesystem::path path = std::filesystem::temp_directory_path(error) /
                                      fmt::format("trocar_codec_{}_{}{}", ::getpid(), row.name, row.extensions.front());
   if (error) return false;
-  void* writer = api.writer_open(path.c_str(), row.fourcc, 30.0, 64, 64);
+  const trocar_film_format format{row.encoder, 30.0, 64, 64, row.crf.usual, "", ""};
+  void* writer = api.writer_open(path.c_str(), &format);
   bool good = writer != nullptr;
   if (good) {
     const Image grey(64, 64, {90, 90, 90, 255});
     for (int i = 0; i < 3; ++i) good = api.writer_add(writer, grey.rgba.data()) != 0 && good;
-    api.writer_close(writer);
+    good = api.writer_close(writer) != 0 && good;
     const auto size = std::filesystem::file_size(path, error);
     good = good && !error && size > 0;
   }
@@ -139,9 +142,16 @@ Result<std::vector<Codec>> codecs_for(const std::filesystem::path& path, Codec w
   return tl::unexpected(Error(ErrorCode::kInvalidArgument, sentence).at(path.string()));
 }
 
-const char* fourcc_of(Codec codec) {
+Crf crf_of(Codec codec) {
   for (const CodecRow& row : rows()) {
-    if (row.codec == codec) return row.fourcc;
+    if (row.codec == codec) return row.crf;
+  }
+  return {};
+}
+
+const char* encoder_of(Codec codec) {
+  for (const CodecRow& row : rows()) {
+    if (row.codec == codec) return row.encoder;
   }
   TROCAR_CHECK(codec != Codec::kAuto);
   return "";

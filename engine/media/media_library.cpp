@@ -24,7 +24,7 @@ std::vector<fs::path> folders() {
 
 Result<const trocar_media_api*> load() {
   for (const fs::path& folder : folders()) {
-    const fs::path path = folder / "trocar_media_opencv.so";
+    const fs::path path = folder / "trocar_media_codecs.so";
     std::error_code error;
     if (!fs::exists(path, error)) continue;
     // Never closed: threads of OpenCV may outlive every caller.
@@ -35,12 +35,12 @@ Result<const trocar_media_api*> load() {
               .at(path.string()));
     }
     using Entry = const trocar_media_api* (*)();
-    const auto entry = reinterpret_cast<Entry>(::dlsym(library, "trocar_media_api_1"));
+    const auto entry = reinterpret_cast<Entry>(::dlsym(library, "trocar_media_api_2"));
     if (entry != nullptr) return entry();
     return tl::unexpected(
         Error(ErrorCode::kUnsupported, "the media library belongs to another version").at(path.string()));
   }
-  return fail(ErrorCode::kUnsupported, "trocar_media_opencv.so is missing, so pictures and films cannot be written");
+  return fail(ErrorCode::kUnsupported, "trocar_media_codecs.so is missing, so pictures and films cannot be written");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Loads the library that holds OpenCV, once, when it is first needed. Private to the module.
+/// Loads the library that holds OpenCV and FFmpeg, once, when it is first needed. Private to the module.
 #pragma once
 
 #include "engine/core/result.h"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cmath>
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 // Deep enough to ride out a slow frame on either side; at 1920 × 1080 it holds 33 MB.
 constexpr std::size_t kQueuedFrames = 4;
-// FFmpeg goes on silently when a disk is full; the rest of a file needs about this much.
+// What an encoder holds back, and the index, need about this much; some files are whole only with them.
 constexpr std::uintmax_t kLeastFree_bytes = std::uintmax_t{4} << 20U;
 constexpr int kFramesBetweenDiskChecks = 15;
 
@@ -48,6 +49,22 @@ Status check_rate(const std::vector<Codec>& codecs, double fps) {
   if (codecs.front() != Codec::kGif || fps <= GifWriter::kFastest_fps) return {};
   return fail(ErrorCode::kInvalidArgument,
               fmt::format("a GIF has at most {} frames a second, not {}", GifWriter::kFastest_fps, fps));
+}
+
+Status check_crf(const std::vector<Codec>& codecs, std::optional<int> crf) {
+  if (!crf) return {};
+  const int most = crf_of(codecs.front()).most;
+  const std::string_view name = to_string(codecs.front());
+  if (most == 0) return fail(ErrorCode::kInvalidArgument, fmt::format("a film in {} has no crf", name));
+  if (*crf >= 0 && *crf <= most) return {};
+  return fail(ErrorCode::kInvalidArgument, fmt::format("the crf of {} is 0 to {}, not {}", name, most, *crf));
+}
+
+/// SVT-AV1 takes nothing smaller.
+Status check_smallest(const std::vector<Codec>& codecs, const VideoOptions& options) {
+  if (codecs.front() != Codec::kAv1 || std::min(options.width, options.height) >= 64) return {};
+  return fail(ErrorCode::kInvalidArgument, fmt::format("a film in av1 is at least 64 pixels wide and high, not {} × {}",
+                                                       options.width, options.height));
 }
 
 /// Makes the empty file, so that a path that cannot be written says why.
@@ -78,8 +95,9 @@ struct VideoWriter::Impl {
   fs::path path;    ///< As it was asked for.
   fs::path target;  ///< The file at the end of its links.
   fs::path temporary;
-  VideoOptions options;            ///< `codec` is the one in use.
-  void* writer = nullptr;          ///< OpenCV's …
+  VideoOptions options;  ///< `codec` is the one in use.
+  VideoDetails details;
+  void* writer = nullptr;          ///< FFmpeg's …
   std::unique_ptr<GifWriter> gif;  ///< … or ours.
   int added = 0;
   bool finished = false;
@@ -99,7 +117,7 @@ struct VideoWriter::Impl {
   void stop(bool drop) {
     queue.close(drop);
     if (encoder.joinable()) encoder.join();
-    if (writer != nullptr) api->writer_close(writer);
+    if (writer != nullptr && api->writer_close(writer) == 0) failed = true;
     writer = nullptr;
     if (gif && !gif->finish()) failed = true;
     gif.reset();
@@ -109,7 +127,14 @@ struct VideoWriter::Impl {
     if (codec == Codec::kGif) {
       gif = GifWriter::open(temporary, options.fps, options.width, options.height);
     } else {
-      writer = api->writer_open(temporary.c_str(), fourcc_of(codec), options.fps, options.width, options.height);
+      const trocar_film_format format{encoder_of(codec),
+                                      options.fps,
+                                      options.width,
+                                      options.height,
+                                      details.crf.value_or(crf_of(codec).usual),
+                                      details.title.c_str(),
+                                      details.comment.c_str()};
+      writer = api->writer_open(temporary.c_str(), &format);
     }
     return gif || writer != nullptr;
   }
@@ -128,7 +153,7 @@ struct VideoWriter::Impl {
   }
 
   Status open_first(const std::vector<Codec>& codecs) {
-    // FFmpeg gives no reason; a full disk must not look like a codec that this machine lacks.
+    // The plugin gives no reason; a full disk must not look like a codec that this machine lacks.
     if (!has_room(temporary)) return fail(ErrorCode::kIo, "the disk is full");
     for (const Codec codec : codecs) {
       options.codec = codec;
@@ -147,7 +172,8 @@ struct VideoWriter::Impl {
     return true;
   }
 
-  /// A disk that filled up shows only here: the file is empty, lacks its index, or counts fewer frames.
+  /// Reads what a player would: a disk that filled up late shows here too, as the file is empty, lacks its index, or
+  /// counts fewer frames.
   Status check_file() const {
     const auto bad = [](const char* what) { return fail(ErrorCode::kIo, what); };
     if (failed) return bad("the film could not be encoded, or the disk is full");
@@ -175,10 +201,12 @@ VideoWriter::~VideoWriter() = default;
 VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
 VideoWriter& VideoWriter::operator=(VideoWriter&&) noexcept = default;
 
-Result<VideoWriter> VideoWriter::open(const fs::path& path, const VideoOptions& options) {
+Result<VideoWriter> VideoWriter::open(const fs::path& path, const VideoOptions& options, const VideoDetails& details) {
   TROCAR_RETURN_IF_ERROR(check_options(options));
   TROCAR_ASSIGN_OR_RETURN(const std::vector<Codec> codecs, codecs_for(path, options.codec));
   TROCAR_RETURN_IF_ERROR(check_rate(codecs, options.fps));
+  TROCAR_RETURN_IF_ERROR(check_crf(codecs, details.crf));
+  TROCAR_RETURN_IF_ERROR(check_smallest(codecs, options));
   TROCAR_ASSIGN_OR_RETURN(const trocar_media_api* api, media_library());
   TROCAR_ASSIGN_OR_RETURN(const fs::path target, replaceable_file(path));
   const fs::path temporary = temporary_beside(target);
@@ -189,6 +217,7 @@ Result<VideoWriter> VideoWriter::open(const fs::path& path, const VideoOptions& 
   impl->target = target;
   impl->temporary = temporary;
   impl->options = options;
+  impl->details = details;
   if (Status opened = impl->open_first(codecs); !opened) {
     return tl::unexpected(std::move(opened).error().at(path.string()));
   }

@@ -1,8 +1,10 @@
-/// Films in files (H.264 in MP4 by default), through OpenCV, which is loaded when first needed; a GIF through giflib.
+/// Films in files (H.264 in MP4 by default): written by FFmpeg's libraries and read by OpenCV, which are loaded when
+/// first needed; a GIF by giflib.
 #pragma once
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,11 +14,18 @@
 
 namespace trocar::media {
 
-enum class Codec { kAuto, kH264, kMpeg4, kFfv1, kMotionJpeg, kVp9, kGif };
+enum class Codec { kAuto, kH264, kMpeg4, kFfv1, kMotionJpeg, kVp9, kAv1, kGif };
 std::string_view to_string(Codec codec);
 Result<Codec> codec_from(std::string_view text);
 /// What a film in it is usually called: ".mp4".
 std::string_view usual_ending(Codec codec);
+
+/// What a codec may lose of the picture, as its constant rate factor says: from 0, with the largest file.
+struct Crf {
+  int usual = 0;
+  int most = 0;  ///< 0: it has none.
+};
+Crf crf_of(Codec codec);
 
 /// All but kAuto, best first.
 std::vector<Codec> all_codecs();
@@ -30,13 +39,21 @@ struct VideoOptions {
   Codec codec = Codec::kAuto;  ///< The first of `all_codecs` that the extension fits and the machine can write.
 };
 
+/// What may be left as it is.
+struct VideoDetails {
+  std::optional<int> crf;  ///< 0 to the codec's most: less looks better. None: what is usual for the codec.
+  std::string title;       ///< Kept in the file, where players show it …
+  std::string comment;     ///< … and this. Not in a GIF.
+};
+
 /// Writes beside the target and renames in `finish()`; destroyed before that, it leaves nothing behind. Encodes in a
 /// thread of its own behind a bounded queue. Threads: one caller.
 class VideoWriter {
  public:
-  /// Errors: kInvalidArgument (odd or zero size, fps, extension unfit), kUnsupported (codec), kIo (path, something
-  /// there that is no file, disk full).
-  static Result<VideoWriter> open(const std::filesystem::path& path, const VideoOptions& options);
+  /// Errors: kInvalidArgument (odd or zero size, fps, extension unfit, no such crf), kUnsupported (codec), kIo (path,
+  /// something there that is no file, disk full).
+  static Result<VideoWriter> open(const std::filesystem::path& path, const VideoOptions& options,
+                                  const VideoDetails& details = {});
   ~VideoWriter();
   VideoWriter(VideoWriter&&) noexcept;
   VideoWriter& operator=(VideoWriter&&) noexcept;

@@ -67,6 +67,33 @@ class Films(CommandLineTest):
         self.refused("video", "render", project, "1", "--fps", "60", "--out", self.folder / "fast.gif", code=USAGE, saying="50")
         self.refused("video", "render", project, "1", "--codec", "gif", "--out", self.folder / "a.webm", code=USAGE, saying=".gif")
 
+    def test_a_film_says_who_made_what_it_shows_and_carries_the_job_that_makes_it_again(self):
+        if shutil.which("ffprobe") is None:
+            self.skipTest("no ffprobe")
+        project = self.trimmed_project()
+        job, film = self.folder / "film.json", self.folder / "film.mp4"
+        options = ["Expert", "--size", "128x72", "--fps", "5", "--speed", "2", "--codec", "av1", "--crf", "40"]
+        self.answer("video", "render", project, *options, "--write-job", job)
+        self.assertEqual(self.answer("video", "render", project, *options, "--out", film)["codec"], "av1")
+        probe = subprocess.run(["ffprobe", "-v", "warning", "-of", "json", "-show_entries", "format_tags=title,comment", film],
+                               capture_output=True, text=True, check=True)
+        self.assertEqual(probe.stderr, "")
+        tags = json.loads(probe.stdout)["format"]["tags"]
+        self.assertEqual(tags["title"], "Expert")
+        credit, said = tags["comment"].split("trocar video render, job: ")
+        self.assertRegex(credit, r"^Expert: scripted expert, seed \d+, trocar [\d.]+, [0-9a-f]{16}\n$")
+        kept = json.loads(job.read_text())
+        self.assertEqual(kept["crf"], 40)
+        kept.pop("path", None)
+        self.assertEqual(json.loads(said), kept)
+
+    def test_what_a_codec_cannot_lose_is_refused(self):
+        project = self.trimmed_project()
+        for name, crf, saying in (("a.mp4", 52, "0 to 51"), ("a.gif", 20, "gif has no crf"), ("a_%02d.png", 20, "leave the crf out"),
+                                  ("a.webm", 64, "0 to 63")):
+            self.refused("video", "render", project, "1", "--crf", crf, "--out", self.folder / name, code=USAGE, saying=saying)
+        self.assertEqual(self.leftovers(), ["recorded.trocar"])
+
     def test_fields_and_curves_are_sources_of_a_job(self):
         project = self.trimmed_project()
         job = self.folder / "film.json"

@@ -14,6 +14,7 @@ pkg_check_modules(hdf5 REQUIRED IMPORTED_TARGET hdf5)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo cairo-ft)
 pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET fontconfig)
 pkg_check_modules(gif REQUIRED IMPORTED_TARGET libgif)
+pkg_check_modules(ffmpeg REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui stb freetype2)
 
 # OpenCV is split in Debian and its one CMake file wants all of it; we use four libraries and never highgui.

@@ -39,7 +39,7 @@ void VideoForm::draw_look(Ui& ui) {
   static const std::vector<std::string> kRateNames{"25", "30", "60"};
   static const std::vector<std::string> kSpeedNames{"0.5×", "1×", "2×", "4×", "8×"};
   static const std::vector<std::string> kCameraNames{"Paper", "Top", "Side", "Front"};
-  static const std::vector<std::string> kCodecNames{"Auto", "H.264", "MPEG-4", "FFV1", "MJPEG", "VP9", "GIF"};
+  static const std::vector<std::string> kCodecNames{"Auto", "H.264", "MPEG-4", "FFV1", "MJPEG", "VP9", "AV1", "GIF"};
   form_label(ui, "Size");
   segmented(ui, "Size", size_, kSizeNames, {.help = "In pixels"});
   form_label(ui, "Frames a second");

@@ -36,6 +36,21 @@ Rect fitting(const Rect& room, const Image& picture) {
   return {x, y, x + wide, y + tall};
 }
 
+/// How much the file may lose of the picture: what is usual, or a number.
+void draw_loss(Ui& ui, film::Composition& film, media::Codec codec) {
+  const media::Crf crf = media::crf_of(codec == media::Codec::kAuto ? media::Codec::kH264 : codec);
+  form_label(ui, "Loss");
+  bool chosen = film.crf.has_value();
+  if (checkbox(ui, "Choose the loss", chosen,
+               {.help = "By the constant rate factor: less looks better and takes more room",
+                .reason = crf.most > 0 ? "" : "Only H.264, VP9 and AV1 have a constant rate factor"})) {
+    film.crf = chosen ? std::optional(crf.usual) : std::nullopt;
+  }
+  if (!film.crf || crf.most == 0) return;
+  form_label(ui, "CRF");
+  slider_int(ui, "CRF", *film.crf, 0, crf.most, "CRF %d");
+}
+
 void whole_number(Ui& ui, std::string_view shown, int& value, int low, int high, std::string_view help) {
   form_label(ui, shown);
   std::int64_t typed = value;
@@ -131,7 +146,7 @@ void ExportPanel::draw_job(Ui& ui, const WorkbenchState& state, FilmDraft& draft
 }
 
 void ExportPanel::draw_file(Ui& ui, const WorkbenchState& state, FilmDraft& draft, Requests& requests) {
-  static const std::vector<std::string> kCodecNames{"Auto", "H.264", "MPEG-4", "FFV1", "MJPEG", "VP9", "GIF"};
+  static const std::vector<std::string> kCodecNames{"Auto", "H.264", "MPEG-4", "FFV1", "MJPEG", "VP9", "AV1", "GIF"};
   film::Composition& film = draft.film;
   const Scope scope(ui, "File");
   whole_number(ui, "Width", film.width, 16, 8192, "In pixels; made even");
@@ -147,7 +162,9 @@ void ExportPanel::draw_file(Ui& ui, const WorkbenchState& state, FilmDraft& draf
     const auto chosen = static_cast<media::Codec>(codec);
     film.codec = media::to_string(chosen);
     film.path = std::filesystem::path(film.path).replace_extension(media::usual_ending(chosen)).string();
+    film.crf.reset();
   }
+  draw_loss(ui, film, known.value_or(media::Codec::kAuto));
   form_label(ui, "File");
   text_field(ui, "File", film.path, "film.mp4", {.help = "F_%05d.png writes a row of pictures"});
   std::error_code error;

@@ -1,19 +1,15 @@
-// All of OpenCV that Trocar uses. Built as a library of its own, loaded by engine/media/media_library.cpp.
-#include <dlfcn.h>
+#include "engine/media/plugin/media_opencv.h"
 
-#include <cstdarg>
-#include <cstdio>
 #include <memory>
-#include <mutex>
 #include <opencv2/core.hpp>
-#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
-#include <string>
+#include <vector>
 
-#include "engine/media/plugin/media_api.h"
+#include "engine/media/plugin/silence.h"
 
+namespace trocar::media::plugin {
 namespace {
 
 /// OpenCV throws; C callers get `otherwise`.
@@ -26,88 +22,12 @@ Result guarded(Result otherwise, Action action) {
   }
 }
 
-/// Errors are ours to tell, in one sentence: OpenCV and FFmpeg write theirs to standard error.
-void silence() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-    // One picture at a time is converted, in the encoder's own thread; a thread pool would only take turns with it.
-    cv::setNumThreads(1);
-    // OpenCV sets FFmpeg's level again with each film, but leaves the function that prints alone.
-    using Print = void (*)(void*, int, const char*, va_list);
-    using SetPrint = void (*)(Print);
-    if (const auto set_print = reinterpret_cast<SetPrint>(dlsym(RTLD_DEFAULT, "av_log_set_callback"))) {
-      set_print([](void*, int, const char*, va_list) {});
-    }
-  });
-}
-
-/// While one lives, what OpenCV prints itself is lost: of each WebM, that its tag of four letters is unknown there.
-/// glibc lets `stderr` be set like any variable; the descriptor, which other threads and programs have too, stays.
-class Hush {
- public:
-  Hush() : lock_(mutex()), told_(stderr) {
-    static std::FILE* const nowhere = std::fopen("/dev/null", "we");
-    if (nowhere != nullptr) stderr = nowhere;
-  }
-  ~Hush() { stderr = told_; }
-  Hush(const Hush&) = delete;
-  Hush& operator=(const Hush&) = delete;
-
- private:
-  static std::mutex& mutex() {
-    static std::mutex only;
-    return only;
-  }
-  std::scoped_lock<std::mutex> lock_;
-  std::FILE* told_;
-};
-
-struct Writer {
-  cv::VideoWriter video;
-  cv::Mat bgr;
-  int width = 0;
-  int height = 0;
-};
-
 struct Reader {
   cv::VideoCapture video;
   cv::Mat bgr;
 };
 
-void* writer_open(const char* path, const char* fourcc, double fps, int width, int height) {
-  return guarded<void*>(nullptr, [&]() -> void* {
-    silence();
-    auto writer = std::make_unique<Writer>();
-    writer->width = width;
-    writer->height = height;
-    const int code = cv::VideoWriter::fourcc(fourcc[0], fourcc[1], fourcc[2], fourcc[3]);
-    const Hush hush;
-    for (const int backend : {cv::CAP_FFMPEG, cv::CAP_OPENCV_MJPEG}) {
-      if (backend == cv::CAP_OPENCV_MJPEG && std::string(fourcc) != "MJPG") continue;
-      if (writer->video.open(path, backend, code, fps, cv::Size(width, height), true)) return writer.release();
-    }
-    return nullptr;
-  });
-}
-
-int writer_add(void* handle, const std::uint8_t* rgba) {
-  return guarded(0, [&] {
-    auto* writer = static_cast<Writer*>(handle);
-    const cv::Mat picture(writer->height, writer->width, CV_8UC4, const_cast<std::uint8_t*>(rgba));
-    cv::cvtColor(picture, writer->bgr, cv::COLOR_RGBA2BGR);
-    writer->video.write(writer->bgr);
-    return 1;
-  });
-}
-
-void writer_close(void* handle) {
-  const std::unique_ptr<Writer> writer(static_cast<Writer*>(handle));
-  guarded(0, [&] {
-    writer->video.release();
-    return 1;
-  });
-}
+}  // namespace
 
 void* reader_open(const char* path) {
   return guarded<void*>(nullptr, [&]() -> void* {
@@ -186,11 +106,4 @@ int picture_decode(const std::uint8_t* bytes, std::size_t size, void* sink,
   });
 }
 
-constexpr trocar_media_api kApi{writer_open, writer_add,     writer_close, reader_open, reader_info,
-                                reader_next, reader_picture, reader_close, png_encode,  picture_decode};
-
-}  // namespace
-
-extern "C" __attribute__((visibility("default"))) const trocar_media_api* trocar_media_api_1() {
-  return &kApi;
-}
+}  // namespace trocar::media::plugin

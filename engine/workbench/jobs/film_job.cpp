@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/core/file.h"
+#include "engine/film/composition_json.h"
 #include "engine/film/subtitles.h"
 #include "engine/workbench/jobs/film_renderer.h"
 #include "engine/workbench/jobs/film_sink.h"
@@ -21,6 +22,14 @@ Status write_subtitles(const FilmRenderer& renderer, double fps, FilmReport& rep
   report.web_subtitles = subtitles_beside(report.path, ".vtt");
   TROCAR_RETURN_IF_ERROR(write_file(report.subtitles, film::srt_of(cues)));
   return write_file(report.web_subtitles, film::vtt_of(cues));
+}
+
+/// Who made what is shown, with its hashes, and the job that makes the same film again; where it went is left out.
+std::string comment_of(const FilmRenderer& renderer, film::Composition film) {
+  std::string text;
+  for (const std::string& credit : renderer.credits()) text += credit + "\n";
+  film.path.clear();
+  return text + "trocar video render, job: " + film::to_json(film);
 }
 
 Status draw_all(FilmRenderer& renderer, Studio& studio, FilmSink& sink, Progress& progress) {
@@ -57,7 +66,8 @@ Result<FilmReport> render_film(const FilmJob& job, Progress& progress) {
   report.height = renderer.height();
   report.frames = renderer.frame_count();
   TROCAR_ASSIGN_OR_RETURN(const std::unique_ptr<FilmSink> sink,
-                          open_film_sink(report.path, {report.width, report.height, job.film.fps, codec}));
+                          open_film_sink(report.path, {report.width, report.height, job.film.fps, codec},
+                                         {job.film.crf, renderer.title(), comment_of(renderer, job.film)}));
   TROCAR_ASSIGN_OR_RETURN(Studio studio, Studio::create());
   TROCAR_RETURN_IF_ERROR(draw_all(renderer, studio, *sink, progress));
   TROCAR_RETURN_IF_ERROR(sink->finish());

@@ -140,6 +140,18 @@ Result<Image> FilmRenderer::frame(Studio& studio, int number) {
   return film::composed(std::move(pictures), cells_, film_.width, film_.height);
 }
 
+std::vector<std::string> FilmRenderer::credits() const {
+  std::vector<std::string> out;
+  for (const FilmSource& source : sources_) out.push_back(fmt::format("{}: {}", source.title, source.provenance));
+  return out;
+}
+
+std::string FilmRenderer::title() const {
+  std::string text;
+  for (const FilmSource& source : sources_) text += (text.empty() ? "" : " | ") + source.title;
+  return text;
+}
+
 std::string FilmRenderer::caption_text(int number) const {
   const film::Moment moment = map_.at(number);
   std::string text;

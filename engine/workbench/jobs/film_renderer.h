@@ -32,6 +32,10 @@ class FilmRenderer {
   Result<Image> frame(Studio& studio, int number);
   /// What the captions say in a frame: a line for each source; where there are several, with its title.
   std::string caption_text(int number) const;
+  /// Of each source its title, and who made it and its hash.
+  std::vector<std::string> credits() const;
+  /// The titles in a row.
+  std::string title() const;
 
  private:
   FilmRenderer(film::Composition film, std::vector<FilmSource> sources, film::TimeMap map)

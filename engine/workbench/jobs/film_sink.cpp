@@ -87,15 +87,17 @@ bool is_picture_row(const fs::path& path) {
   return row_name(path).has_value();
 }
 
-Result<std::unique_ptr<FilmSink>> open_film_sink(const fs::path& path, const media::VideoOptions& options) {
+Result<std::unique_ptr<FilmSink>> open_film_sink(const fs::path& path, const media::VideoOptions& options,
+                                                 const media::VideoDetails& details) {
   if (const std::optional<RowName> name = row_name(path)) {
     if (options.codec != media::Codec::kAuto) {
       return fail(ErrorCode::kInvalidArgument,
                   fmt::format("pictures are not in {}: leave the codec out", media::to_string(options.codec)));
     }
+    if (details.crf) return fail(ErrorCode::kInvalidArgument, "pictures lose nothing: leave the crf out");
     return std::unique_ptr<FilmSink>(std::make_unique<PictureSink>(path.parent_path(), *name));
   }
-  TROCAR_ASSIGN_OR_RETURN(media::VideoWriter writer, media::VideoWriter::open(path, options));
+  TROCAR_ASSIGN_OR_RETURN(media::VideoWriter writer, media::VideoWriter::open(path, options, details));
   return std::unique_ptr<FilmSink>(std::make_unique<FileSink>(std::move(writer)));
 }
 

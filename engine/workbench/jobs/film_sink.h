@@ -25,8 +25,9 @@ class FilmSink {
 
 /// A name such as "F_%05d.png" is of pictures, numbered from 0; any other of a film file.
 bool is_picture_row(const std::filesystem::path& path);
-/// Errors: those of `media::VideoWriter::open`; kInvalidArgument for a codec with pictures.
-Result<std::unique_ptr<FilmSink>> open_film_sink(const std::filesystem::path& path, const media::VideoOptions& options);
+/// Errors: those of `media::VideoWriter::open`; kInvalidArgument for a codec or crf with pictures.
+Result<std::unique_ptr<FilmSink>> open_film_sink(const std::filesystem::path& path, const media::VideoOptions& options,
+                                                 const media::VideoDetails& details);
 /// The subtitles of the film: beside it, with its name and the ending, ".srt" or ".vtt".
 std::filesystem::path subtitles_beside(const std::filesystem::path& path, std::string_view ending);
 

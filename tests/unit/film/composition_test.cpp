@@ -20,7 +20,8 @@ Composition rich() {
   film.width = 641;
   film.height = 360;
   film.fps = 12.5;
-  film.codec = "ffv1";
+  film.codec = "vp9";
+  film.crf = 17;
   film.quality = Quality::kFine;
   film.layout = Layout::kTwoByTwo;
   film.corner = Corner::kTopLeft;
