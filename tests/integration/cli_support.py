@@ -9,6 +9,7 @@ import unittest
 
 TROCAR = os.path.abspath(os.environ.get("TROCAR", "build/release/bin/trocar"))
 DONE, CHECK_FAILED, USAGE, WORLD = 0, 1, 2, 3
+TESTS = pathlib.Path(__file__).resolve().parent.parent
 
 
 def trocar(*arguments, **keywords):
@@ -41,6 +42,15 @@ class CommandLineTest(unittest.TestCase):
         self.assertFalse(errors[0].endswith("."), errors[0])
         self.assertIn(saying, errors[0])
         return errors[0]
+
+    def play(self, script, project, text=None):
+        """Plays tests/gui/`script`, or its `text`, in the window without a display and in the test's folder, where it stays."""
+        copied = self.folder / script
+        copied.write_text(text or (TESTS / "gui" / script).read_text())
+        here = os.getcwd()
+        os.chdir(self.folder)
+        self.addCleanup(os.chdir, here)
+        self.answer("ui", "run", "--project", project.name, "--script", copied.name, "--size", "1600x1000")
 
     def empty_project(self):
         project = self.folder / "empty.trocar"

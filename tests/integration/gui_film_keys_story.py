@@ -4,25 +4,19 @@ and the same job by the command line.
 Usage: gui_film_keys_story.py
 """
 import json
-import os
 import pathlib
 import subprocess
 import unittest
 
-from cli_support import DONE, CommandLineTest
-from gui_films_story import TESTS, frame_hashes
+from cli_support import CommandLineTest
+from gui_films_story import frame_hashes
 
 
 class Keys(CommandLineTest):
     def test_keys(self):
         project = self.recorded_project()
         self.answer("demo", "edit", project, "1", "trim", "--from", "1", "--to", "3")
-        script = self.folder / "keys.ui"
-        script.write_text((TESTS / "gui" / "J4_export_keys.ui").read_text())
-        here = os.getcwd()
-        os.chdir(self.folder)
-        self.addCleanup(os.chdir, here)
-        self.answer("ui", "run", "--project", project.name, "--script", script.name, "--size", "1600x1000", code=DONE)
+        self.play("J4_export_keys.ui", project)
         job = json.loads(pathlib.Path("keys.json").read_text(encoding="utf-8"))
         recording, rollout = job["sources"]
         self.assertEqual((recording["kind"], rollout["kind"]), ("recording", "rollout"))

@@ -8,20 +8,15 @@ import os
 import pathlib
 import unittest
 
-from cli_support import DONE, CommandLineTest
-from gui_films_story import TESTS, frame_hashes
+from cli_support import CommandLineTest
+from gui_films_story import frame_hashes
 
 
 class Queue(CommandLineTest):
     def test_queue(self):
         project = self.recorded_project()
         self.answer("demo", "edit", project, "1", "trim", "--from", "1", "--to", "3")
-        script = self.folder / "queue.ui"
-        script.write_text((TESTS / "gui" / "J4_export_queue.ui").read_text())
-        here = os.getcwd()
-        os.chdir(self.folder)
-        self.addCleanup(os.chdir, here)
-        self.answer("ui", "run", "--project", project.name, "--script", script.name, "--size", "1600x1000", code=DONE)
+        self.play("J4_export_queue.ui", project)
         for name in ("held", "half"):
             self.assertEqual([path.name for path in self.folder.glob(name + "*")], [])
         self.assertEqual([name for name in os.listdir(".") if ".part" in name], [])

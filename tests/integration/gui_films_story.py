@@ -3,13 +3,10 @@
 Usage: gui_films_story.py
 """
 import os
-import pathlib
 import subprocess
 import unittest
 
-from cli_support import DONE, CommandLineTest
-
-TESTS = pathlib.Path(__file__).resolve().parent.parent
+from cli_support import CommandLineTest
 
 
 def frame_hashes(film):
@@ -26,12 +23,7 @@ class Story(CommandLineTest):
         self.answer("model", "train", project, "Expert", "--segment", "C", "--method", "exact", "--name", "C exact")
         for mode in ("MT", "SC"):
             self.answer("trial", "run", project, "--mode", mode, "--block", "0", "--seed", "3")
-        script = self.folder / "story.ui"
-        script.write_text((TESTS / "gui" / "J4_export_films.ui").read_text())
-        here = os.getcwd()
-        os.chdir(self.folder)
-        self.addCleanup(os.chdir, here)
-        self.answer("ui", "run", "--project", project.name, "--script", script.name, "--size", "1600x1000", code=DONE)
+        self.play("J4_export_films.ui", project)
         self.assertEqual(sorted(path.name for path in self.folder.glob("given_up*")), [])
         self.assertEqual([name for name in os.listdir(".") if ".part" in name], [])
 

@@ -4,15 +4,12 @@ Usage: gui_heatmaps_story.py
 """
 import csv
 import json
-import os
-import pathlib
 import re
 import struct
 import unittest
 
-from cli_support import DONE, CommandLineTest
+from cli_support import TESTS, CommandLineTest
 
-TESTS = pathlib.Path(__file__).resolve().parent.parent
 SEEDS = 10  # As many as the panel studies at first.
 
 
@@ -52,12 +49,7 @@ class Story(CommandLineTest):
         for name, axis in (("GOAL_X", "i"), ("GOAL_Y", "j"), ("GOAL_Z", "k")):
             text = text.replace(name, goal[axis])
         text = text.replace("CHANGED", f"{compared['policy_changed']:,}")
-        script = self.folder / "story.ui"
-        script.write_text(text)
-        here = os.getcwd()
-        os.chdir(self.folder)
-        self.addCleanup(os.chdir, here)
-        self.answer("ui", "run", "--project", project.name, "--script", script.name, "--size", "1600x1000", code=DONE)
+        self.play("J2_inspect_heatmaps.ui", project, text)
         self.check_probe(project, goal)
         self.check_measures(compared)
         self.check_seeds(project)

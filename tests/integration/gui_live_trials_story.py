@@ -11,9 +11,8 @@ import subprocess
 import time
 import unittest
 
-from cli_support import DONE, TROCAR, CommandLineTest
+from cli_support import DONE, TESTS, TROCAR, CommandLineTest
 
-TESTS = pathlib.Path(__file__).resolve().parent.parent
 CONSOLE = str(pathlib.Path(TROCAR).with_name("trocar-console"))
 PATIENCE_S = 300
 # From the hold to the stop, in the trial's time: the window's 10 s, less what a busy machine's 1 kHz loop gives up, more

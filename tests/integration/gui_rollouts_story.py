@@ -10,13 +10,10 @@ starts drawn around the expert's 145 arrive; corrected from any of four starts t
 """
 import csv
 import json
-import os
-import pathlib
 import unittest
 
-from cli_support import DONE, CommandLineTest
+from cli_support import TESTS, CommandLineTest
 
-TESTS = pathlib.Path(__file__).resolve().parent.parent
 GOAL = (3, 8, 10)  # Of the model: where the expert's segment A ends.
 
 
@@ -48,14 +45,6 @@ def presses(cell):
 
 
 class Story(CommandLineTest):
-    def run_in_window(self, project, text):
-        script = self.folder / "story.ui"
-        script.write_text(text)
-        here = os.getcwd()
-        os.chdir(self.folder)
-        self.addCleanup(os.chdir, here)
-        self.answer("ui", "run", "--project", project.name, "--script", script.name, "--size", "1600x1000", code=DONE)
-
     def arrivals_in(self, dump):
         """How many of the chosen starts arrive, as the window says it: "72 %  (145)"."""
         items = json.loads((self.folder / dump).read_text())
@@ -77,7 +66,7 @@ class Story(CommandLineTest):
         lost = first_failing(around, "outside the safe set")
         text = (TESTS / "gui" / "J3_compare_rollouts.ui").read_text()
         text = text.replace("FAILING/", "{}, {}, {}/".format(*failing)).replace("LOST/", "{}, {}, {}/".format(*lost))
-        self.run_in_window(project, text.replace("\nWAY\n", "\n" + presses(lost) + "\n"))
+        self.play("J3_compare_rollouts.ui", project, text.replace("\nWAY\n", "\n" + presses(lost) + "\n"))
         # The same bytes as the command line's.
         typed = self.folder / "typed.csv"
         self.answer("rollout", "run", project, "paper", "--starts", "around:3", "--epsilon", "0.1", "--runs", "50",
@@ -109,7 +98,7 @@ class Story(CommandLineTest):
     def test_rows_of_the_simulator(self):
         """What the window writes of the simulator's rollouts are the bytes of `rollout physics`."""
         project = self.recorded_project()
-        self.run_in_window(project, """
+        self.play("perturbed.ui", project, """
 click "Menu/Workspaces/Rollouts"
 click "Library/Models/A exact"
 wait idle 60

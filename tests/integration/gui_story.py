@@ -9,7 +9,6 @@ import csv
 import json
 import math
 import os
-import pathlib
 import random
 import shutil
 import signal
@@ -18,9 +17,8 @@ import sys
 import time
 import unittest
 
-from cli_support import DONE, TROCAR, CommandLineTest, trocar
+from cli_support import DONE, TESTS, TROCAR, CommandLineTest, trocar
 
-TESTS = pathlib.Path(__file__).resolve().parent.parent
 COMPARE = os.path.abspath(os.environ.get("TROCAR_COMPARE", "build/release/bin/compare_pictures"))
 PATIENCE_S = 300
 ARMS = ("left", "right")

@@ -4,29 +4,20 @@ Usage: gui_trials_story.py
 """
 import csv
 import json
-import os
-import pathlib
 import unittest
 
 from cli_support import DONE, CommandLineTest
-
-TESTS = pathlib.Path(__file__).resolve().parent.parent
 
 
 class Story(CommandLineTest):
     def test_story(self):
         project = self.recorded_project()
         self.answer("model", "train", project, "Expert", "--segment", "C", "--method", "exact", "--name", "C exact")
-        script = self.folder / "story.ui"
-        script.write_text((TESTS / "gui" / "J5_trials.ui").read_text())
         # The same order for everybody; the agent has an arm to be stopped with in the first block.
         (self.folder / "short.json").write_text(json.dumps({"name": "Short", "fixed": 2, "transfer_s": 60, "blocks": [
             {"name": "Try it", "mode": "SC", "counts": False, "transfers": 2, "rest_s": 600},
             {"name": "Manual", "mode": "MT", "transfers": 1}]}))
-        here = os.getcwd()
-        os.chdir(self.folder)
-        self.addCleanup(os.chdir, here)
-        self.answer("ui", "run", "--project", project.name, "--script", script.name, "--size", "1600x1000", code=DONE)
+        self.play("J5_trials.ui", project)
         self.check_trials(project)
         self.check_release(project)
         self.check_results(project)

@@ -26,6 +26,8 @@ using film::Source;
 using film::SourceKind;
 using workbench::FilmDraft;
 
+constexpr double kShortestGate_s = 0.1;  ///< What is left between both.
+
 /// What a source of that kind can be of: ids and, in the same order, names that differ.
 struct Subjects {
   std::vector<std::string> ids;
@@ -168,28 +170,46 @@ void draw_rollout_source(Ui& ui, Source& source) {
   if (const auto cell = spatial::coordinates_from(start)) source.start = {cell->x, cell->y, cell->z};
 }
 
-/// From when to when of its own time.
+/// What can be moved within what, and why it cannot.
+struct GateRoom {
+  double begin_s = 0.0;
+  double end_s = 1.0;
+  std::string_view reason;
+};
+
+GateRoom gate_room(const WorkbenchState& state, const FilmDraft& draft) {
+  const auto& preview = state.film_preview;
+  if (!preview || preview->spans_s.size() != draft.film.sources.size()) {
+    return {.reason = "How long it is shows with the picture"};
+  }
+  const auto [begin_s, end_s] = preview->spans_s[draft.source];
+  if (end_s - begin_s <= kShortestGate_s) return {.reason = "There is nothing to be cut off"};
+  return {begin_s, end_s, ""};
+}
+
+/// From when to when of its own time. They keep their place while the picture is on its way.
 void draw_gates(Ui& ui, const WorkbenchState& state, FilmDraft& draft) {
   Source& source = draft.film.sources[draft.source];
-  const auto& preview = state.film_preview;
-  if (source.kind == SourceKind::kField || !preview || preview->spans_s.size() != draft.film.sources.size()) return;
-  const auto [begin_s, end_s] = preview->spans_s[draft.source];
-  constexpr double kShortest_s = 0.1;
-  if (end_s - begin_s <= kShortest_s) return;
+  if (source.kind == SourceKind::kField) return;
+  const GateRoom room = gate_room(state, draft);
   const auto slider = [&](std::string_view shown, std::optional<double>& gate, double low, double high, double usual,
                           std::string_view help) {
-    if (!(low < high)) return;
-    auto value = static_cast<float>(gate.value_or(usual));
+    // Gates of a job may leave no room between them, or lie where there is nothing.
+    const std::string_view reason =
+        room.reason.empty() && !(low < high) ? "The other gate leaves it no room" : room.reason;
+    if (!reason.empty()) high = low + 1.0;
+    auto value = static_cast<float>(std::clamp(gate.value_or(usual), low, high));
     form_label(ui, shown);
-    if (!slider_float(ui, shown, value, static_cast<float>(low), static_cast<float>(high), "%.2f s", {.help = help})) {
+    if (!slider_float(ui, shown, value, static_cast<float>(low), static_cast<float>(high), "%.2f s",
+                      {.help = help, .reason = reason})) {
       return;
     }
     const double wanted = std::clamp(static_cast<double>(value), low, high);
     gate = std::abs(wanted - usual) < 0.005 ? std::nullopt : std::optional<double>(wanted);
   };
-  slider("From", source.in_s, begin_s, source.out_s.value_or(end_s) - kShortest_s, begin_s,
+  slider("From", source.in_s, room.begin_s, source.out_s.value_or(room.end_s) - kShortestGate_s, room.begin_s,
          "Of its own time: where the film of it begins");
-  slider("To", source.out_s, source.in_s.value_or(begin_s) + kShortest_s, end_s, end_s,
+  slider("To", source.out_s, source.in_s.value_or(room.begin_s) + kShortestGate_s, room.end_s, room.end_s,
          "Of its own time: where the film of it ends");
 }
 

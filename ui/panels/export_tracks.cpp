@@ -96,12 +96,21 @@ void draw_keys(Ui& ui, FilmDraft& draft, const Property& property, double at_s, 
   if (removed < keys.size()) keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(removed));
 }
 
-/// A slider for what it is at the instant, a button for a key there, and its keys. `Of` is the film or a source of it.
+/// Why the number changes nothing that is seen; "" if it does.
+std::string_view idle_reason(const film::Overlays& overlays, const Property& property) {
+  if (property.name == "trail" && !overlays.has(film::Overlay::kTrail))
+    return "No trail is drawn: switch it on in Look";
+  if (property.name == "ghost" && !overlays.has(film::Overlay::kGhost))
+    return "No ghost is drawn: switch it on in Look";
+  return "";
+}
+
+/// A slider for what it is at the instant, a button for a key there, and its keys. `Of` is the film or a source of it;
+/// `at_s` the instant by the time in which its keys are.
 template <typename Of>
-void draw_property(Ui& ui, FilmDraft& draft, Of& of, const Property& property, const std::array<double, 2>& range) {
+void draw_property(Ui& ui, FilmDraft& draft, Of& of, const Property& property, const std::array<double, 2>& range,
+                   double at_s) {
   const std::string shown(property.shown);
-  const bool speed = &property == &film::speed_property();
-  const double at_s = speed ? film::running_of(draft.film.pace, draft.at_s) : draft.at_s;
   std::vector<film::Key> keys = film::keys_of(of, property.name);
   const double now = film::value_of(of, property.name, at_s);
   const double apart_s = 0.5 * frame_s(draft.film);
@@ -112,9 +121,10 @@ void draw_property(Ui& ui, FilmDraft& draft, Of& of, const Property& property, c
   auto value = static_cast<float>(property.factor * now);
   const std::string format = fmt::format("%.{}f{}", property.decimals, property.unit == " %" ? " %%" : property.unit);
   const float wide = ImGui::GetContentRegionAvail().x;
-  const bool slid = slider_float(ui, shown, value, static_cast<float>(property.factor * range[0]),
-                                 static_cast<float>(property.factor * range[1]), format.c_str(),
-                                 {.help = property.help, .width = wide - ui.px(38)});
+  const bool slid = slider_float(
+      ui, shown, value, static_cast<float>(property.factor * range[0]), static_cast<float>(property.factor * range[1]),
+      format.c_str(),
+      {.help = property.help, .reason = idle_reason(draft.film.overlays, property), .width = wide - ui.px(38)});
   const Scope scope(ui, shown);
   ImGui::SameLine(0.0F, 0.0F);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, ImGui::GetContentRegionAvail().x - ui.px(32)));
@@ -198,9 +208,10 @@ void draw_film_tracks(Ui& ui, const WorkbenchState& state, FilmDraft& draft, int
   form_label(ui, "Of");
   combo(ui, "Of", of, names, {.help = "Whose numbers change as the film goes"});
   if (of == 0) {
-    draw_property(ui, draft, draft.film, film::speed_property(), range_of(film::speed_property()));
+    draw_property(ui, draft, draft.film, film::speed_property(), range_of(film::speed_property()),
+                  film::running_of(draft.film.pace, draft.at_s));
     if (draft.film.layout == film::Layout::kPictureInPicture) {
-      draw_property(ui, draft, draft.film, film::share_property(), range_of(film::share_property()));
+      draw_property(ui, draft, draft.film, film::share_property(), range_of(film::share_property()), draft.at_s);
     }
     draw_holds(ui, state, draft);
     return;
@@ -210,7 +221,7 @@ void draw_film_tracks(Ui& ui, const WorkbenchState& state, FilmDraft& draft, int
     if (!film::has_property(source, property)) continue;
     std::array<double, 2> range = range_of(property);
     if (property.name == "slice") range[1] = last_slice(*state.project, source);
-    draw_property(ui, draft, source, property, range);
+    draw_property(ui, draft, source, property, range, draft.at_s);
   }
   wrapped_text(ui, "Without keys a number holds for the whole film; with keys a slider sets the key at the instant",
                ui.theme().text_dim);

@@ -61,7 +61,8 @@ Result<FilmReport> render_film(const FilmJob& job, Progress& progress) {
   if (report.path.empty()) return fail(ErrorCode::kInvalidArgument, "the film's job does not say where it goes");
   TROCAR_ASSIGN_OR_RETURN(const media::Codec codec, media::codec_from(job.film.codec));
   Diagnostics diagnostics;
-  TROCAR_ASSIGN_OR_RETURN(FilmRenderer renderer, FilmRenderer::create(job.film, *job.project, diagnostics));
+  RolloutShelf shelf(progress);
+  TROCAR_ASSIGN_OR_RETURN(FilmRenderer renderer, FilmRenderer::create(job.film, *job.project, diagnostics, &shelf));
   report.width = renderer.width();
   report.height = renderer.height();
   report.frames = renderer.frame_count();

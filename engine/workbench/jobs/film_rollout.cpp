@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/core/progress.h"
 #include "engine/trial/rollout_recording.h"
 #include "engine/workbench/rolling.h"
 
@@ -38,6 +37,7 @@ Result<FilmedRollout> RolloutShelf::rollout(const Project& project, const ModelE
     std::rotate(found, found + 1, kept_.end());
     return kept_.back().rollout;
   }
+  if (progress_ != nullptr && progress_->cancelled()) return fail(ErrorCode::kCancelled, "stopped by the user");
   Progress alone;
   TROCAR_ASSIGN_OR_RETURN(const trial::RecordedRollout recorded,
                           trial::record_rollout(*entry.model, cell, options, alone));

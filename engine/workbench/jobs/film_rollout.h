@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/core/progress.h"
 #include "engine/core/result.h"
 #include "engine/demonstration/demonstration.h"
 #include "engine/trial/physics_rollout.h"
@@ -23,9 +24,13 @@ struct FilmedRollout {
 /// Runs them, and keeps the last few: a film that is being made need not run them anew. Threads: one at a time.
 class RolloutShelf {
  public:
+  RolloutShelf() = default;
+  /// Nothing is run any more once `progress` is cancelled. It lives as long as this.
+  explicit RolloutShelf(const Progress& progress) : progress_(&progress) {}
+
   /// From where the model's first expert began without `start`; seed 1, with the block of the model's first
   /// demonstration. Precondition: the entry has its model. Errors: kInvalidArgument for a start outside of the lattice;
-  /// those of `trial::record_rollout`.
+  /// those of `trial::record_rollout`; kCancelled.
   Result<FilmedRollout> rollout(const Project& project, const ModelEntry& entry,
                                 const std::optional<std::array<int, 3>>& start);
 
@@ -36,6 +41,7 @@ class RolloutShelf {
     trial::PhysicsOptions options;
     FilmedRollout rollout;
   };
+  const Progress* progress_ = nullptr;
   std::vector<Kept> kept_;  ///< The last one asked for is the last.
 };
 

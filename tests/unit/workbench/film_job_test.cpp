@@ -83,24 +83,26 @@ FilmReport rendered(const film::Composition& film, const std::filesystem::path& 
   return *report;
 }
 
-std::vector<Image> frames_of(const film::Composition& film) {
+/// Frames by their numbers; all without them.
+std::vector<Image> frames_of(const film::Composition& film, const Project& of, std::vector<int> numbers = {}) {
   Diagnostics diagnostics;
-  auto renderer = FilmRenderer::create(film, *project(), diagnostics);
+  auto renderer = FilmRenderer::create(film, of, diagnostics);
   REQUIRE_MESSAGE(renderer, (renderer ? "" : renderer.error().text()));
   auto studio = Studio::create();
   REQUIRE(studio);
+  const bool all = numbers.empty();
+  for (int i = 0; all && i < renderer->frame_count(); ++i) numbers.push_back(i);
   std::vector<Image> frames;
-  for (int i = 0; i < renderer->frame_count(); ++i) frames.push_back(renderer->frame(*studio, i).value());
+  for (const int number : numbers) frames.push_back(renderer->frame(*studio, number).value());
   return frames;
 }
 
+std::vector<Image> frames_of(const film::Composition& film) {
+  return frames_of(film, *project());
+}
+
 Image frame_of(const film::Composition& film, int number) {
-  Diagnostics diagnostics;
-  auto renderer = FilmRenderer::create(film, *project(), diagnostics);
-  REQUIRE_MESSAGE(renderer, (renderer ? "" : renderer.error().text()));
-  auto studio = Studio::create();
-  REQUIRE(studio);
-  return renderer->frame(*studio, number).value();
+  return frames_of(film, *project(), {number}).front();
 }
 
 /// The ground of the authority band in a cell, in its right end, where no letters are.
@@ -131,14 +133,7 @@ std::shared_ptr<const Project> project_with_model() {
 }
 
 std::vector<Image> frames_with_model(const film::Composition& film, const std::vector<int>& numbers) {
-  Diagnostics diagnostics;
-  auto renderer = FilmRenderer::create(film, *project_with_model(), diagnostics);
-  REQUIRE_MESSAGE(renderer, (renderer ? "" : renderer.error().text()));
-  auto studio = Studio::create();
-  REQUIRE(studio);
-  std::vector<Image> frames;
-  for (const int number : numbers) frames.push_back(renderer->frame(*studio, number).value());
-  return frames;
+  return frames_of(film, *project_with_model(), numbers);
 }
 
 /// How many pixels differ.
@@ -449,6 +444,22 @@ TEST_CASE("a rollout is filmed in the simulator, with its field in the scene and
   film.sources[0].start.reset();
   film.sources[0].field->layer = "colour";
   CHECK_FALSE(FilmRenderer::create(film, *project_with_model(), diagnostics));
+}
+
+TEST_CASE("a film that is given up before its first frame runs no rollout") {
+  film::Composition film = small({"A exact"});
+  film.sources[0].kind = film::SourceKind::kRollout;
+  Progress progress;
+  progress.cancel();
+  RolloutShelf shelf(progress);
+  const auto sources = film_sources(*project_with_model(), film, shelf);
+  REQUIRE_FALSE(sources);
+  CHECK(sources.error().code() == ErrorCode::kCancelled);
+  const trocar::testing::ScratchFolder folder;
+  const auto report = render_film({film, project_with_model(), folder.path() / "a.mp4"}, progress);
+  REQUIRE_FALSE(report);
+  CHECK(report.error().code() == ErrorCode::kCancelled);
+  CHECK(std::filesystem::is_empty(folder.path()));
 }
 
 TEST_CASE("two models have rollouts of their own on one shelf, and the film says whose they are by their hashes") {
