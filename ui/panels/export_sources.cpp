@@ -200,8 +200,8 @@ void draw_gates(Ui& ui, const WorkbenchState& state, FilmDraft& draft) {
     if (!reason.empty()) high = low + 1.0;
     auto value = static_cast<float>(std::clamp(gate.value_or(usual), low, high));
     form_label(ui, shown);
-    if (!slider_float(ui, shown, value, static_cast<float>(low), static_cast<float>(high), "%.2f s",
-                      {.help = help, .reason = reason})) {
+    if (!slider_float(ui, shown, value, static_cast<float>(low), static_cast<float>(high),
+                      room.reason.empty() ? "%.2f s" : "–", {.help = help, .reason = reason})) {
       return;
     }
     const double wanted = std::clamp(static_cast<double>(value), low, high);
