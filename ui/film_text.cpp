@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "engine/film/composition_words.h"
+#include "engine/workbench/jobs/film_job.h"
 #include "ui/command_text.h"
 #include "ui/forms/export_parts.h"
 
@@ -105,7 +106,9 @@ std::string film_reason(const workbench::WorkbenchState& state) {
   if (const Status fine = film::check(film); !fine) return fine.error().text();
   const auto& preview = state.film_preview;
   if (preview && !preview->error.empty() && preview->of == workbench::look_of(film)) return preview->error;
-  return reason_against_path(film.path, state);
+  if (std::string why = reason_against_path(film.path, state); !why.empty()) return why;
+  const Status fine = workbench::check_film_file(film, film.path);
+  return fine ? "" : fine.error().text();
 }
 
 }  // namespace trocar::ui

@@ -103,7 +103,7 @@ void bind_film(CLI::App& verb, FilmArguments& arguments) {
   verb.add_option("--codec", arguments.codec, "auto, or one of `trocar doctor`'s");
   verb.add_option(
       "--crf", arguments.crf,
-      "How much the file may lose: 0 to 51 for h264 (20), to 63 for vp9 (30) and av1 (32); less looks better");
+      "How much the file may lose: 1 to 51 for h264 (20), to 63 for vp9 (30) and av1 (32); less looks better");
   verb.add_option("--quality", arguments.quality, "fast, or fine: four samples a pixel")
       ->check(CLI::IsMember(texts(film::kQualities)));
   verb.add_option("--overlays", arguments.overlays,

@@ -177,8 +177,8 @@ Status check(const Composition& film) {
   if (!within(film.fps, 1.0, 240.0)) {
     return refused(fmt::format("a film has 1 to 240 frames a second, not {}", film.fps));
   }
-  if (film.crf && (*film.crf < 0 || *film.crf > 63)) {
-    return refused(fmt::format("the crf of a film is 0 to 63, not {}", *film.crf));
+  if (film.crf && (*film.crf < 1 || *film.crf > 63)) {
+    return refused(fmt::format("the crf of a film is 1 to 63, not {}", *film.crf));
   }
   if (!within(film.share, 0.1, 0.5)) return refused("a picture in the picture has 0.1 to 0.5 of the width");
   TROCAR_RETURN_IF_ERROR(check_keys(film.share_keys, share_property()));

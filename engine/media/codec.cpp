@@ -149,6 +149,11 @@ Crf crf_of(Codec codec) {
   return {};
 }
 
+Result<Codec> codec_for(const std::filesystem::path& path, Codec wanted) {
+  TROCAR_ASSIGN_OR_RETURN(const std::vector<Codec> codecs, codecs_for(path, wanted));
+  return codecs.front();
+}
+
 const char* encoder_of(Codec codec) {
   for (const CodecRow& row : rows()) {
     if (row.codec == codec) return row.encoder;

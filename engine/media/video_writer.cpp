@@ -28,6 +28,9 @@ constexpr std::size_t kQueuedFrames = 4;
 // What an encoder holds back, and the index, need about this much; some files are whole only with them.
 constexpr std::uintmax_t kLeastFree_bytes = std::uintmax_t{4} << 20U;
 constexpr int kFramesBetweenDiskChecks = 15;
+// What the libraries take.
+constexpr int kSmallestAv1_px = 64;
+constexpr int kLargestMpeg4_px = 8190;
 
 Status check_options(const VideoOptions& options) {
   const auto [width, height, fps, codec] = options;
@@ -45,26 +48,27 @@ Status check_options(const VideoOptions& options) {
   return {};
 }
 
-Status check_rate(const std::vector<Codec>& codecs, double fps) {
-  if (codecs.front() != Codec::kGif || fps <= GifWriter::kFastest_fps) return {};
-  return fail(ErrorCode::kInvalidArgument,
-              fmt::format("a GIF has at most {} frames a second, not {}", GifWriter::kFastest_fps, fps));
-}
-
-Status check_crf(const std::vector<Codec>& codecs, std::optional<int> crf) {
-  if (!crf) return {};
-  const int most = crf_of(codecs.front()).most;
-  const std::string_view name = to_string(codecs.front());
-  if (most == 0) return fail(ErrorCode::kInvalidArgument, fmt::format("a film in {} has no crf", name));
-  if (*crf >= 0 && *crf <= most) return {};
-  return fail(ErrorCode::kInvalidArgument, fmt::format("the crf of {} is 0 to {}, not {}", name, most, *crf));
-}
-
-/// SVT-AV1 takes nothing smaller.
-Status check_smallest(const std::vector<Codec>& codecs, const VideoOptions& options) {
-  if (codecs.front() != Codec::kAv1 || std::min(options.width, options.height) >= 64) return {};
-  return fail(ErrorCode::kInvalidArgument, fmt::format("a film in av1 is at least 64 pixels wide and high, not {} × {}",
-                                                       options.width, options.height));
+/// What this codec has not of what others have.
+Status check_codec(Codec codec, const VideoOptions& options, std::optional<int> crf) {
+  const auto refused = [](std::string sentence) { return fail(ErrorCode::kInvalidArgument, std::move(sentence)); };
+  const std::string_view name = to_string(codec);
+  const Crf range = crf_of(codec);
+  if (codec == Codec::kGif && options.fps > GifWriter::kFastest_fps) {
+    return refused(fmt::format("a GIF has at most {} frames a second, not {}", GifWriter::kFastest_fps, options.fps));
+  }
+  if (codec == Codec::kAv1 && std::min(options.width, options.height) < kSmallestAv1_px) {
+    return refused(fmt::format("a film in av1 is at least {} pixels wide and high, not {} × {}", kSmallestAv1_px,
+                               options.width, options.height));
+  }
+  if (codec == Codec::kMpeg4 && std::max(options.width, options.height) > kLargestMpeg4_px) {
+    return refused(fmt::format("a film in mpeg4 is at most {} pixels wide and high, not {} × {}", kLargestMpeg4_px,
+                               options.width, options.height));
+  }
+  if (crf && range.most == 0) return refused(fmt::format("a film in {} has no crf", name));
+  if (crf && (*crf < Crf::kLeast || *crf > range.most)) {
+    return refused(fmt::format("the crf of {} is {} to {}, not {}", name, Crf::kLeast, range.most, *crf));
+  }
+  return {};
 }
 
 /// Makes the empty file, so that a path that cannot be written says why.
@@ -157,6 +161,7 @@ struct VideoWriter::Impl {
     if (!has_room(temporary)) return fail(ErrorCode::kIo, "the disk is full");
     for (const Codec codec : codecs) {
       options.codec = codec;
+      TROCAR_RETURN_IF_ERROR(check_codec(codec, options, details.crf));
       if (start(codec)) return {};
       if (!has_room(temporary)) return fail(ErrorCode::kIo, "the disk is full");
     }
@@ -201,12 +206,15 @@ VideoWriter::~VideoWriter() = default;
 VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
 VideoWriter& VideoWriter::operator=(VideoWriter&&) noexcept = default;
 
-Result<VideoWriter> VideoWriter::open(const fs::path& path, const VideoOptions& options, const VideoDetails& details) {
+Status check_video(const fs::path& path, const VideoOptions& options, const VideoDetails& details) {
   TROCAR_RETURN_IF_ERROR(check_options(options));
+  TROCAR_ASSIGN_OR_RETURN(const Codec codec, codec_for(path, options.codec));
+  return check_codec(codec, options, details.crf);
+}
+
+Result<VideoWriter> VideoWriter::open(const fs::path& path, const VideoOptions& options, const VideoDetails& details) {
+  TROCAR_RETURN_IF_ERROR(check_video(path, options, details));
   TROCAR_ASSIGN_OR_RETURN(const std::vector<Codec> codecs, codecs_for(path, options.codec));
-  TROCAR_RETURN_IF_ERROR(check_rate(codecs, options.fps));
-  TROCAR_RETURN_IF_ERROR(check_crf(codecs, details.crf));
-  TROCAR_RETURN_IF_ERROR(check_smallest(codecs, options));
   TROCAR_ASSIGN_OR_RETURN(const trocar_media_api* api, media_library());
   TROCAR_ASSIGN_OR_RETURN(const fs::path target, replaceable_file(path));
   const fs::path temporary = temporary_beside(target);

@@ -20,12 +20,16 @@ Result<Codec> codec_from(std::string_view text);
 /// What a film in it is usually called: ".mp4".
 std::string_view usual_ending(Codec codec);
 
-/// What a codec may lose of the picture, as its constant rate factor says: from 0, with the largest file.
+/// What a codec may lose of the picture, as its constant rate factor says: from 1, with the largest file.
 struct Crf {
+  static constexpr int kLeast = 1;  ///< 0 is another, lossless, kind of film, which few players show; FFV1 is for that.
   int usual = 0;
   int most = 0;  ///< 0: it has none.
 };
 Crf crf_of(Codec codec);
+/// The codec of a film with that name, if the machine has it. Errors: kInvalidArgument if the ending is no film's, or
+/// does not fit `wanted`.
+Result<Codec> codec_for(const std::filesystem::path& path, Codec wanted);
 
 /// All but kAuto, best first.
 std::vector<Codec> all_codecs();
@@ -41,16 +45,20 @@ struct VideoOptions {
 
 /// What may be left as it is.
 struct VideoDetails {
-  std::optional<int> crf;  ///< 0 to the codec's most: less looks better. None: what is usual for the codec.
+  std::optional<int> crf;  ///< 1 to the codec's most: less looks better. None: what is usual for the codec.
   std::string title;       ///< Kept in the file, where players show it …
   std::string comment;     ///< … and this. Not in a GIF.
 };
+
+/// What `VideoWriter::open` would refuse, without a look at the disk. Errors: kInvalidArgument: odd or zero size, a size
+/// or rate that the codec has not, an ending that does not fit, no such crf.
+Status check_video(const std::filesystem::path& path, const VideoOptions& options, const VideoDetails& details);
 
 /// Writes beside the target and renames in `finish()`; destroyed before that, it leaves nothing behind. Encodes in a
 /// thread of its own behind a bounded queue. Threads: one caller.
 class VideoWriter {
  public:
-  /// Errors: kInvalidArgument (odd or zero size, fps, extension unfit, no such crf), kUnsupported (codec), kIo (path,
+  /// Errors: those of `check_video`; kUnsupported (codec), kIo (path,
   /// something there that is no file, disk full).
   static Result<VideoWriter> open(const std::filesystem::path& path, const VideoOptions& options,
                                   const VideoDetails& details = {});

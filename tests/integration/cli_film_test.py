@@ -89,8 +89,8 @@ class Films(CommandLineTest):
 
     def test_what_a_codec_cannot_lose_is_refused(self):
         project = self.trimmed_project()
-        for name, crf, saying in (("a.mp4", 52, "0 to 51"), ("a.gif", 20, "gif has no crf"), ("a_%02d.png", 20, "leave the crf out"),
-                                  ("a.webm", 64, "0 to 63")):
+        for name, crf, saying in (("a.mp4", 52, "1 to 51"), ("a.mp4", 0, "1 to 63"), ("a.gif", 20, "gif has no crf"), ("a_%02d.png", 20, "leave the crf out"),
+                                  ("a.webm", 64, "1 to 63")):
             self.refused("video", "render", project, "1", "--crf", crf, "--out", self.folder / name, code=USAGE, saying=saying)
         self.assertEqual(self.leftovers(), ["recorded.trocar"])
 

@@ -18,6 +18,7 @@ class Keys(CommandLineTest):
         self.answer("demo", "edit", project, "1", "trim", "--from", "1", "--to", "3")
         self.play("J4_export_keys.ui", project)
         job = json.loads(pathlib.Path("keys.json").read_text(encoding="utf-8"))
+        self.assertEqual((job["codec"], job["crf"]), ("auto", 17))
         recording, rollout = job["sources"]
         self.assertEqual((recording["kind"], rollout["kind"]), ("recording", "rollout"))
         self.assertEqual((rollout["field"]["slice"], rollout["out_s"]), ("z=9", 1.5))

@@ -31,6 +31,13 @@ class Story(CommandLineTest):
         made = self.answer("video", "render", project, trials["MT 1"], trials["SC 1"], "--out", "typed.mp4", "--fps", "25",
                            "--size", "640x360", "--layout", "side-by-side", "--sync", "segment", "--speed", "8",
                            "--overlays", "all")
+        # The film says which models moved the arm, by their hashes.
+        comment = subprocess.run(["ffprobe", "-v", "error", "-of", "csv=p=0", "-show_entries", "format_tags=comment", "typed.mp4"],
+                                 capture_output=True, text=True, check=True).stdout
+        used = self.answer("trial", "show", project, "SC 1")["models"]
+        self.assertEqual(len(used), 2)
+        for model in used:
+            self.assertIn(f"model {model['name']} {model['hash']}", comment)
         frames = frame_hashes("pair.mp4")
         self.assertEqual(len(frames), made["frames"])
         self.assertEqual(frames, frame_hashes("again.mp4"))

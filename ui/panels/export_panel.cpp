@@ -37,18 +37,19 @@ Rect fitting(const Rect& room, const Image& picture) {
 }
 
 /// How much the file may lose of the picture: what is usual, or a number.
-void draw_loss(Ui& ui, film::Composition& film, media::Codec codec) {
-  const media::Crf crf = media::crf_of(codec == media::Codec::kAuto ? media::Codec::kH264 : codec);
+void draw_loss(Ui& ui, film::Composition& film, media::Codec said) {
+  const auto codec = media::codec_for(film.path, said);
+  const media::Crf crf = codec ? media::crf_of(*codec) : media::Crf{};
   form_label(ui, "Loss");
   bool chosen = film.crf.has_value();
   if (checkbox(ui, "Choose the loss", chosen,
                {.help = "By the constant rate factor: less looks better and takes more room",
-                .reason = crf.most > 0 ? "" : "Only H.264, VP9 and AV1 have a constant rate factor"})) {
+                .reason = crf.most > 0 || chosen ? "" : "Only H.264, VP9 and AV1 have a constant rate factor"})) {
     film.crf = chosen ? std::optional(crf.usual) : std::nullopt;
   }
   if (!film.crf || crf.most == 0) return;
   form_label(ui, "CRF");
-  slider_int(ui, "CRF", *film.crf, 0, crf.most, "CRF %d");
+  slider_int(ui, "CRF", *film.crf, media::Crf::kLeast, crf.most, "CRF %d");
 }
 
 void whole_number(Ui& ui, std::string_view shown, int& value, int low, int high, std::string_view help) {
@@ -106,10 +107,10 @@ void ExportPanel::draw_preview(Ui& ui, const WorkbenchState& state, FilmDraft& d
                     .reason = shown ? "" : "There is no picture yet"})) {
     draft.at_s = std::clamp(static_cast<double>(instant), 0.0, shown ? preview->length_s : 0.0);
   }
-  if (shown) {
-    small_text(ui, fmt::format("Frame {} of {}, {}", preview->frame + 1, count(preview->frames), seconds(length)),
-               ui.theme().text_dim);
-  }
+  small_text(ui,
+             shown ? fmt::format("Frame {} of {}, {}", preview->frame + 1, count(preview->frames), seconds(length))
+                   : "No frame yet",
+             ui.theme().text_dim);
   // What comes and goes with the picture has its room always: nothing below moves from under the mouse.
   const float top = ImGui::GetCursorPosY();
   if (const std::string why = film_reason(state); !why.empty()) {

@@ -65,6 +65,15 @@ struct ScalerFree {
   void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
 };
 
+/// 29.97 is meant to be 30000/1001.
+AVRational rate_of(double fps) {
+  const double of_television = std::round(fps * 1.001) / 1.001;
+  if (std::abs(fps - of_television) < 5e-4 && std::abs(fps - std::round(fps)) > 5e-4) {
+    return {static_cast<int>(std::lround(fps * 1.001)) * 1000, 1001};
+  }
+  return av_d2q(fps, 60000);
+}
+
 class Encoder {
  public:
   bool open(const char* path, const trocar_film_format& format);
@@ -104,12 +113,13 @@ bool Encoder::open_codec(const trocar_film_format& format) {
   if (!codec_) return false;
   codec_->width = format.width;
   codec_->height = format.height;
-  codec_->framerate = av_d2q(format.fps, 60000);
+  codec_->framerate = rate_of(format.fps);
   codec_->time_base = av_inv_q(codec_->framerate);
   codec_->gop_size = std::max(1, static_cast<int>(std::lround(kBetweenKeyPictures_s * format.fps)));
   codec_->pix_fmt = use->pixels;
   if (use->pixels != AV_PIX_FMT_BGR0) {
-    // Said in the file, so that no player guesses by the picture's size: swscale's matrix is that of BT.601.
+    // Said in the file, so that no player guesses by the picture's size: swscale's matrix is that of BT.601. MPEG-4 and
+    // AVI have no room for it.
     codec_->colorspace = AVCOL_SPC_SMPTE170M;
     codec_->color_primaries = AVCOL_PRI_BT709;
     codec_->color_trc = AVCOL_TRC_BT709;
@@ -143,7 +153,12 @@ bool Encoder::open_file(const char* path, const trocar_film_format& format) {
   if (format.title[0] != '\0') av_dict_set(&file_->metadata, "title", format.title, 0);
   if (format.comment[0] != '\0') av_dict_set(&file_->metadata, "comment", format.comment, 0);
   if (avio_open(&file_->pb, path, AVIO_FLAG_WRITE) < 0) return false;
-  return avformat_write_header(file_.get(), nullptr) >= 0;
+  // The index before the pictures: a page shows the first while the last are on their way. Of no account elsewhere.
+  AVDictionary* options = nullptr;
+  av_dict_set(&options, "movflags", "+faststart", 0);
+  const bool begun = avformat_write_header(file_.get(), &options) >= 0;
+  av_dict_free(&options);
+  return begun;
 }
 
 bool Encoder::open_conversion() {

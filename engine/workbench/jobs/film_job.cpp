@@ -54,11 +54,19 @@ bool needs_models(const film::Composition& film) {
   });
 }
 
+Status check_film_file(const film::Composition& film, const std::filesystem::path& path) {
+  TROCAR_ASSIGN_OR_RETURN(const media::Codec codec, media::codec_from(film.codec));
+  const media::VideoOptions even{film.width + film.width % 2, film.height + film.height % 2, film.fps, codec};
+  return check_film_sink(path, even, {film.crf, "", ""});
+}
+
 Result<FilmReport> render_film(const FilmJob& job, Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
   FilmReport report;
   report.path = job.path.empty() ? std::filesystem::path(job.film.path) : job.path;
   if (report.path.empty()) return fail(ErrorCode::kInvalidArgument, "the film's job does not say where it goes");
+  TROCAR_RETURN_IF_ERROR(film::check(job.film));
+  TROCAR_RETURN_IF_ERROR(check_film_file(job.film, report.path));
   TROCAR_ASSIGN_OR_RETURN(const media::Codec codec, media::codec_from(job.film.codec));
   Diagnostics diagnostics;
   RolloutShelf shelf(progress);

@@ -36,6 +36,9 @@ struct FilmReport {
 /// which leaves no file. A pause holds it between two frames.
 Result<FilmReport> render_film(const FilmJob& job, Progress& progress);
 
+/// Whether that film can be in that file: its size, rate, codec and crf. Errors: kInvalidArgument.
+Status check_film_file(const film::Composition& film, const std::filesystem::path& path);
+
 /// Whether something of the film needs models open whole.
 bool needs_models(const film::Composition& film);
 

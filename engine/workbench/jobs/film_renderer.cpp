@@ -142,7 +142,7 @@ Result<Image> FilmRenderer::frame(Studio& studio, int number) {
 
 std::vector<std::string> FilmRenderer::credits() const {
   std::vector<std::string> out;
-  for (const FilmSource& source : sources_) out.push_back(fmt::format("{}: {}", source.title, source.provenance));
+  for (const FilmSource& source : sources_) out.push_back(credit_of(source));
   return out;
 }
 

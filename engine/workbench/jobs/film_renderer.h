@@ -32,7 +32,7 @@ class FilmRenderer {
   Result<Image> frame(Studio& studio, int number);
   /// What the captions say in a frame: a line for each source; where there are several, with its title.
   std::string caption_text(int number) const;
-  /// Of each source its title, and who made it and its hash.
+  /// Of each source a line, as `credit_of`.
   std::vector<std::string> credits() const;
   /// The titles in a row.
   std::string title() const;

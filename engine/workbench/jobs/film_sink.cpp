@@ -87,14 +87,20 @@ bool is_picture_row(const fs::path& path) {
   return row_name(path).has_value();
 }
 
+Status check_film_sink(const fs::path& path, const media::VideoOptions& options, const media::VideoDetails& details) {
+  if (!is_picture_row(path)) return media::check_video(path, options, details);
+  if (options.codec != media::Codec::kAuto) {
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("pictures are not in {}: leave the codec out", media::to_string(options.codec)));
+  }
+  if (details.crf) return fail(ErrorCode::kInvalidArgument, "pictures lose nothing: leave the crf out");
+  return {};
+}
+
 Result<std::unique_ptr<FilmSink>> open_film_sink(const fs::path& path, const media::VideoOptions& options,
                                                  const media::VideoDetails& details) {
+  TROCAR_RETURN_IF_ERROR(check_film_sink(path, options, details));
   if (const std::optional<RowName> name = row_name(path)) {
-    if (options.codec != media::Codec::kAuto) {
-      return fail(ErrorCode::kInvalidArgument,
-                  fmt::format("pictures are not in {}: leave the codec out", media::to_string(options.codec)));
-    }
-    if (details.crf) return fail(ErrorCode::kInvalidArgument, "pictures lose nothing: leave the crf out");
     return std::unique_ptr<FilmSink>(std::make_unique<PictureSink>(path.parent_path(), *name));
   }
   TROCAR_ASSIGN_OR_RETURN(media::VideoWriter writer, media::VideoWriter::open(path, options, details));

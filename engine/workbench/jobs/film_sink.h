@@ -25,7 +25,11 @@ class FilmSink {
 
 /// A name such as "F_%05d.png" is of pictures, numbered from 0; any other of a film file.
 bool is_picture_row(const std::filesystem::path& path);
-/// Errors: those of `media::VideoWriter::open`; kInvalidArgument for a codec or crf with pictures.
+/// What `open_film_sink` would refuse, without a look at the disk. Errors: those of `media::check_video`;
+/// kInvalidArgument for a codec or crf with pictures.
+Status check_film_sink(const std::filesystem::path& path, const media::VideoOptions& options,
+                       const media::VideoDetails& details);
+/// Errors: those of `check_film_sink` and `media::VideoWriter::open`.
 Result<std::unique_ptr<FilmSink>> open_film_sink(const std::filesystem::path& path, const media::VideoOptions& options,
                                                  const media::VideoDetails& details);
 /// The subtitles of the film: beside it, with its name and the ending, ".srt" or ".vtt".

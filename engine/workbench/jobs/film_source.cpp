@@ -161,6 +161,15 @@ Status find_scene_field(const Project& project, FilmSource& source) {
 
 }  // namespace
 
+std::string credit_of(const FilmSource& source) {
+  std::string line = fmt::format("{}: {}", source.title, source.provenance);
+  if (!source.trial) return line;
+  for (const trial::TrialRecord::ModelUsed& model : source.trial->record.models) {
+    line += fmt::format("; model {} {}", model.name, hash_words(model.hash));
+  }
+  return line;
+}
+
 Result<std::vector<FilmSource>> film_sources(const Project& project, const film::Composition& film,
                                              RolloutShelf& shelf) {
   std::vector<FilmSource> sources;

@@ -29,6 +29,9 @@ struct FilmSource {
   int successes = 0;       ///< … and how many of them succeeded.
 };
 
+/// Its title, who made it, and the hashes of it and of the models that moved the arm: a line of the file's comment.
+std::string credit_of(const FilmSource& source);
+
 /// By id, or by a name that only one has. Rollouts are run, unless they lie on the shelf. Errors: kNotFound;
 /// kInvalidArgument for a name that several have, for gates that leave nothing and for a model that is described only;
 /// those of `RolloutShelf`.

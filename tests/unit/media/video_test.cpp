@@ -151,7 +151,8 @@ TEST_CASE("a larger crf makes a smaller file that looks worse") {
     CAPTURE(to_string(codec));
     std::vector<std::uintmax_t> sizes;
     std::vector<double> errors;
-    for (const std::optional<int> crf : {std::optional(5), std::optional<int>(), std::optional(50)}) {
+    for (const std::optional<int> crf :
+         {std::optional(Crf::kLeast), std::optional<int>(), std::optional(crf_of(codec).most)}) {
       const fs::path path = scratch.folder / ("a" + std::string(usual_ending(codec)));
       auto writer = VideoWriter::open(path, {160, 96, 30.0, codec}, {crf, "", ""}).value();
       for (int i = 0; i < 8; ++i) REQUIRE(writer.add(noise(160, 96, static_cast<std::uint32_t>(i))));
@@ -164,7 +165,7 @@ TEST_CASE("a larger crf makes a smaller file that looks worse") {
   }
   const auto beyond = VideoWriter::open(scratch.folder / "b.mp4", {160, 96, 30.0, Codec::kAuto}, {52, "", ""});
   REQUIRE_FALSE(beyond);
-  CHECK(beyond.error().text() == "the crf of h264 is 0 to 51, not 52");
+  CHECK(beyond.error().text() == "the crf of h264 is 1 to 51, not 52");
   const auto without = VideoWriter::open(scratch.folder / "b.mkv", {160, 96, 30.0, Codec::kFfv1}, {20, "", ""});
   REQUIRE_FALSE(without);
   CHECK(without.error().text() == "a film in ffv1 has no crf");
@@ -214,7 +215,10 @@ TEST_CASE("an extension that does not fit the codec is refused and the fitting o
   CHECK_FALSE(VideoWriter::open("/tmp/a", {160, 96, 30.0, Codec::kAuto}));
 }
 
-TEST_CASE("a film too small for AV1 says what is needed") {
+TEST_CASE("a film that its codec cannot have says what it can") {
+  const auto large = VideoWriter::open("/tmp/a.avi", {8192, 64, 30.0, Codec::kMpeg4});
+  REQUIRE_FALSE(large);
+  CHECK(large.error().text() == "a film in mpeg4 is at most 8190 pixels wide and high, not 8192 × 64");
   const auto small = VideoWriter::open("/tmp/a.mkv", {128, 48, 30.0, Codec::kAv1});
   REQUIRE_FALSE(small);
   CHECK(small.error().text() == "a film in av1 is at least 64 pixels wide and high, not 128 × 48");
@@ -342,6 +346,22 @@ TEST_CASE("ffprobe, where there is one, finds nothing to complain about") {
         "ffprobe -v warning -count_frames -select_streams v -of csv=p=0 -show_entries "
         "stream=codec_name,width,height,pix_fmt,nb_read_frames '" +
         path.string() + "' >'" + said.string() + "' 2>&1";
+    REQUIRE(std::system(command.c_str()) == 0);
+    CHECK(read_file(said).value() == expected);
+  }
+}
+
+TEST_CASE("the rates of television are what is meant by them") {
+  if (std::system("command -v ffprobe >/dev/null 2>&1") != 0) return;
+  const Scratch scratch("rates");
+  for (const auto& [fps, expected] : {std::pair{29.97, "30000/1001\n"}, std::pair{23.976, "24000/1001\n"},
+                                      std::pair{25.0, "25/1\n"}, std::pair{12.5, "25/2\n"}}) {
+    CAPTURE(fps);
+    const fs::path path = scratch.folder / "a.mp4";
+    REQUIRE(write_film(path, {160, 96, fps, Codec::kAuto}, 30));
+    const fs::path said = scratch.folder / "said";
+    const std::string command = "ffprobe -v warning -of csv=p=0 -show_entries stream=avg_frame_rate '" + path.string() +
+                                "' >'" + said.string() + "' 2>&1";
     REQUIRE(std::system(command.c_str()) == 0);
     CHECK(read_file(said).value() == expected);
   }
