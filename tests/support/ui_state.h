@@ -96,8 +96,8 @@ inline workbench::ModelInsight made_insight(std::shared_ptr<const workbench::Mod
   return insight;
 }
 
-/// Ready, with demonstrations 1 ("Expert 1", selected) and 2 ("Novice 2"), and without a model.
-inline workbench::WorkbenchState made_state() {
+/// What the makers below make: each once, as reviews, curves and models take a third of a second. Use those.
+inline workbench::WorkbenchState make_state() {
   auto project = std::make_shared<workbench::Project>();
   for (std::int64_t id = 1; id <= 2; ++id) {
     const std::string name = id == 1 ? "Expert 1" : "Novice 2";
@@ -119,6 +119,12 @@ inline workbench::WorkbenchState made_state() {
   return state;
 }
 
+/// Ready, with demonstrations 1 ("Expert 1", selected) and 2 ("Novice 2"), and without a model.
+inline workbench::WorkbenchState made_state() {
+  static const workbench::WorkbenchState state = make_state();
+  return state;
+}
+
 /// Its curves of every kind, and the other demonstration, raised by 2 mm, beside it, as the workbench would have worked
 /// them out.
 inline void work_out(workbench::WorkbenchState& state) {
@@ -135,8 +141,7 @@ inline void work_out(workbench::WorkbenchState& state) {
   state.comparison = workbench::comparison_of({before, shown, *state.comparing, ""});
 }
 
-/// The same with the model 3 selected, curves and a comparison.
-inline workbench::WorkbenchState made_state_with_model() {
+inline workbench::WorkbenchState make_state_with_model() {
   workbench::WorkbenchState state = made_state();
   auto project = std::make_shared<workbench::Project>(*state.project);
   const auto entry = made_model();
@@ -155,8 +160,13 @@ inline workbench::WorkbenchState made_state_with_model() {
   return state;
 }
 
-/// Models 3 ("exact A", selected) and 4 ("paper A"), which is the second.
-inline workbench::WorkbenchState made_state_with_two_models() {
+/// The same with the model 3 selected, curves and a comparison.
+inline workbench::WorkbenchState made_state_with_model() {
+  static const workbench::WorkbenchState state = make_state_with_model();
+  return state;
+}
+
+inline workbench::WorkbenchState make_state_with_two_models() {
   workbench::WorkbenchState state = made_state_with_model();
   auto project = std::make_shared<workbench::Project>(*state.project);
   auto entry = std::make_shared<workbench::ModelEntry>(*project->models.at({3}));
@@ -174,6 +184,12 @@ inline workbench::WorkbenchState made_state_with_two_models() {
   request.entry = project->models.at({3});
   request.second = entry;
   state.insight = workbench::InsightMaker().make(request);
+  return state;
+}
+
+/// Models 3 ("exact A", selected) and 4 ("paper A"), which is the second.
+inline workbench::WorkbenchState made_state_with_two_models() {
+  static const workbench::WorkbenchState state = make_state_with_two_models();
   return state;
 }
 
