@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -292,13 +293,15 @@ TEST_CASE("captions are in the file beside the film, in order, and only if they 
 
 TEST_CASE("cancelled in the middle, a film leaves nothing, neither a row of pictures nor subtitles") {
   film::Composition film = small({"Long"});
+  film.width = 320;
+  film.height = 180;
   film.fps = 50.0;
   film.overlays.set(Overlay::kCaptions);
   for (const char* name : {"film.mp4", "film.gif", "f_%04d.png"}) {
     const ScratchFolder folder;
     Progress progress;
     std::jthread other([&progress] {
-      while (progress.fraction() < 0.5) std::this_thread::yield();
+      while (progress.fraction() < 0.5) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       progress.cancel();
     });
     const auto report = render_film({film, project(), folder / name}, progress);
