@@ -147,6 +147,16 @@ std::string begin_words(const trial::TrialRecord& record) {
   return fmt::format("  from {:.1f}, {:.1f}, {:.1f} mm", mm.x(), mm.y(), mm.z());
 }
 
+/// Shared control in which nobody was helped tells nothing of shared control.
+void warn_if_idle(const workbench::TrialEntry& trial, Console& console) {
+  const trial::TrialRecord& record = trial.record;
+  if (record.mode != trial::Mode::kShared || record.metrics.agent_share > 0.0) return;
+  const bool has_a = std::any_of(record.models.begin(), record.models.end(),
+                                 [](const auto& model) { return model.segment == demonstration::Segment::kA; });
+  console.diagnostics.warn(fmt::format("the agent moved nothing in {}{}", trial.name,
+                                       has_a ? "" : fmt::format(": no model of A serves block {}", record.block)));
+}
+
 }  // namespace
 
 std::string row_of(const workbench::TrialEntry& trial) {
@@ -248,6 +258,7 @@ Result<Answer> run_trials_command(const RunTrialArguments& arguments, Console& c
     const auto& entry = file.project()->trials.at(workbench::TrialId{id});
     answer.json["trials"].push_back(json_of(*entry));
     answer.text += row_of(*entry) + "\n";
+    warn_if_idle(*entry, console);
     succeeded += each.record.outcome == demonstration::Outcome::kSuccess ? 1 : 0;
     simulated_s += each.record.duration_s;
   }

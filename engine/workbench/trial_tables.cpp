@@ -34,6 +34,11 @@ std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
 }
 
+/// In a sentence.
+std::string said(double value) {
+  return std::isfinite(value) ? number(value) : "–";
+}
+
 std::string p_words(double p) {
   if (!std::isfinite(p)) return "not defined";
   return p < 0.001 ? "< 0.001" : fmt::format("{:.3f}", p);
@@ -132,11 +137,11 @@ std::vector<std::string> paired_lines(const PairedResults& paired) {
   if (paired.pairs == 0) return {"No pair of trials with the same seed, block and operator succeeded in both modes"};
   return {fmt::format("Pairs that succeed in both modes: {}; MT − SC: mean {:+.2f} s, standard deviation {:.2f} s",
                       paired.pairs, paired.mean_s, paired.deviation_s),
-          fmt::format("Shapiro-Wilk of the differences: W = {}, p = {}", number(paired.normality.w),
+          fmt::format("Shapiro-Wilk of the differences: W = {}, p = {}", said(paired.normality.w),
                       p_words(paired.normality.p)),
-          fmt::format("Paired t: t({}) = {}, p = {}, d = {}", paired.t.degrees_of_freedom, number(paired.t.t),
-                      p_words(paired.t.p), number(paired.t.effect)),
-          fmt::format("Wilcoxon signed rank: W = {}, n = {}, p = {}{}", number(paired.signed_rank.w),
+          fmt::format("Paired t: t({}) = {}, p = {}, d = {}", paired.t.degrees_of_freedom, said(paired.t.t),
+                      p_words(paired.t.p), said(paired.t.effect)),
+          fmt::format("Wilcoxon signed rank: W = {}, n = {}, p = {}{}", said(paired.signed_rank.w),
                       paired.signed_rank.count, p_words(paired.signed_rank.p),
                       paired.signed_rank.exact ? " (exact)" : " (normal)"),
           fmt::format("Succeeds in one mode only: MT {}, SC {}; McNemar p = {}", paired.only_manual_succeeds,

@@ -163,7 +163,10 @@ void ExportPanel::draw_file(Ui& ui, const WorkbenchState& state, FilmDraft& draf
     const auto chosen = static_cast<media::Codec>(codec);
     film.codec = media::to_string(chosen);
     film.path = std::filesystem::path(film.path).replace_extension(media::usual_ending(chosen)).string();
-    film.crf.reset();
+    // One codec's number means little to another.
+    const auto codec_of_file = media::codec_for(film.path, chosen);
+    const media::Crf crf = codec_of_file ? media::crf_of(*codec_of_file) : media::Crf{};
+    if (film.crf) film.crf = crf.most > 0 ? std::optional(crf.usual) : std::nullopt;
   }
   draw_loss(ui, film, known.value_or(media::Codec::kAuto));
   form_label(ui, "File");

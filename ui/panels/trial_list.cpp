@@ -47,7 +47,9 @@ void TrialList::draw_judgement(Ui& ui, const workbench::TrialEntry& trial, Reque
   heading(ui, trial.name);
   fact(ui, "Made by", record.operator_kind + (record.skill.empty() ? "" : " " + record.skill));
   fact(ui, "Right arm", record.assistant);
-  fact(ui, "Outcome", demonstration::to_string(record.outcome));
+  // A transfer succeeds if the block is not dropped (section V.B); whether it is on its peg is another question.
+  const bool beside = record.outcome == demonstration::Outcome::kSuccess && !record.placed;
+  fact(ui, "Outcome", fmt::format("{}{}", demonstration::to_string(record.outcome), beside ? ", not placed" : ""));
   fact(ui, "Completion", record.completion_s ? seconds(*record.completion_s) : "–");
   fact(ui, "Agent's share", fmt::format("{:.0f} %", 100.0 * record.metrics.agent_share));
   fact(ui, "Path", fmt::format("{:.0f} mm", 1e3 * record.metrics.path_length_m));
