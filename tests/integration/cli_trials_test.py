@@ -1,9 +1,10 @@
 """Trials from the command line: both modes, repeatable to the bit, replayed, judged, and compared."""
 import csv
+import json
 import re
 import unittest
 
-from cli_support import DONE, USAGE, CommandLineTest
+from cli_support import DONE, USAGE, CommandLineTest, trocar
 
 
 class TrialsTest(CommandLineTest):
@@ -157,6 +158,16 @@ class TrialsTest(CommandLineTest):
             row = next(csv.DictReader(file))
         self.assertAlmostEqual(float(row["begin_z_m"]), shown[2], delta=1e-6)
         self.refused("trial", "run", project, "--mode", "MT", "--from-cell", "22,0,0", code=USAGE, saying="no cell")
+
+    def test_shared_control_without_an_agent_is_told(self):
+        project = self.project()
+        for block, idle in ((1, True), (0, False)):
+            ran = trocar("trial", "run", project, "--mode", "SC", "--block", block, "--seed", 42, "--json")
+            self.assertEqual(ran.returncode, DONE)
+            (trial,) = json.loads(ran.stdout)["trials"]
+            self.assertEqual(trial["agent_share"] == 0.0, idle)
+            told = f"the agent moved nothing in {trial['name']}: no model of A serves block {block}"
+            self.assertEqual(told in ran.stderr, idle, ran.stderr)
 
     def test_blocks_that_no_model_serves_are_named_before_anything_runs(self):
         project = self.recorded_project()
