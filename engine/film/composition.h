@@ -145,7 +145,7 @@ struct Composition {
   int height = 720;
   double fps = 30.0;
   std::string codec = "auto";
-  std::optional<int> crf;  ///< How much the file may lose, 1 (nothing to be seen) to 63; none: what the codec usually has.
+  std::optional<int> crf;  ///< How much the file may lose, 1 to 63; none: what the codec usually has.
   Quality quality = Quality::kFast;
   Layout layout = Layout::kSingle;
   Corner corner = Corner::kBottomRight;  ///< Of the second picture, where it lies in the first …

@@ -50,8 +50,8 @@ struct VideoDetails {
   std::string comment;     ///< … and this. Not in a GIF.
 };
 
-/// What `VideoWriter::open` would refuse, without a look at the disk. Errors: kInvalidArgument: odd or zero size, a size
-/// or rate that the codec has not, an ending that does not fit, no such crf.
+/// What `VideoWriter::open` would refuse, without a look at the disk. Errors: kInvalidArgument: odd or zero size, a
+/// size or rate that the codec has not, an ending that does not fit, no such crf.
 Status check_video(const std::filesystem::path& path, const VideoOptions& options, const VideoDetails& details);
 
 /// Writes beside the target and renames in `finish()`; destroyed before that, it leaves nothing behind. Encodes in a
